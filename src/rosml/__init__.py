@@ -15,19 +15,17 @@ __version__ = "0.1.0"
 def root_of(package: Path) -> Path:
     """The checkout that the package is in; else what was installed with the package.
 
-    The folder in which somebody works does not count, whatever is in it: programs of a checkout are called, and the folder may be a
-    stranger's. Whoever means a checkout calls its own `rosml`, from wherever they are.
+    The current folder does not count, whatever is in it: programs of a checkout are called, and the folder may be a stranger's.
     """
-    own = package.parent.name == "src" and (package.parents[1] / "scripts/bootstrap.py").is_file()
-    return package.parents[1] if own else package / "data"
+    in_checkout = package.parent.name == "src" and (package.parents[1] / "scripts/bootstrap.py").is_file()
+    return package.parents[1] if in_checkout else package / "data"
 
 
 def user_cache() -> Path:
-    """The user's folder for what may get lost, such as what all checkouts and sets of the user may take from one another; a temporary
-    one for a user who has none."""
-    named = Path(os.environ.get("XDG_CACHE_HOME", ""))
+    """The user's folder for what may get lost and what checkouts share; a temporary one for a user without a home folder."""
+    variable = Path(os.environ.get("XDG_CACHE_HOME", ""))
     try:
-        return (named if named.is_absolute() else Path.home() / ".cache") / "rosml"
+        return (variable if variable.is_absolute() else Path.home() / ".cache") / "rosml"
     except RuntimeError:
         import tempfile  # only needed here, and every command waits for it
 
@@ -41,17 +39,16 @@ ROOT = root_of(_PACKAGE)
 
 
 def matrix_of(root: Path) -> Path:
-    """The file that says which images exist: `set.yaml` for a set of somebody's own, which extends `matrix.yaml`; or that one.
+    """The file that says which images exist: `set.yaml` for a user's set, which extends `matrix.yaml`; or `matrix.yaml`.
 
-    A set's own command has a link to its `set.yaml` in its rosml, so that messages name the file that people edit.
+    The command of a set has a link to its `set.yaml`, so that messages name the file that people edit.
     """
-    own = root / "set.yaml"
-    return own.resolve() if own.is_file() else root / "matrix.yaml"
+    set_file = root / "set.yaml"
+    return set_file.resolve() if set_file.is_file() else root / "matrix.yaml"
 
 
 def own_of(root: Path) -> Path:
-    """The folder of the files that somebody keeps: that of a set's `set.yaml`, which has its rosml in a folder below it and fetches it
-    anew; or the root."""
+    """The folder of the files that the user keeps: that of a set's `set.yaml`, which has its rosml in a folder below it; or the root."""
     return matrix_of(root).parent
 
 
@@ -59,7 +56,7 @@ MATRIX = ROOT / os.environ["ROSML_MATRIX"] if os.environ.get("ROSML_MATRIX") els
 """What commands read if no option names another one. The variable ROSML_MATRIX names one for all of them, from the root on."""
 
 IN_CHECKOUT = ROOT != _PACKAGE / "data"
-"""Whether that is a checkout, in which images can be built."""
+"""Whether images can be built here."""
 
 STATE = ROOT / ".state" if IN_CHECKOUT else user_cache()
 """What commands keep: `.state` of the checkout; the user's cache where there is no checkout."""

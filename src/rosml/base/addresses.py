@@ -10,8 +10,8 @@ def addresses() -> dict[str, str]:
     if IN_CHECKOUT:
         import tomllib  # --help reads the file in a checkout, and metadata elsewhere
 
-        found: dict[str, str] = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"].get("urls", {})
-        return found
+        urls: dict[str, str] = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"].get("urls", {})
+        return urls
     from importlib import metadata
 
     try:
@@ -23,10 +23,10 @@ def addresses() -> dict[str, str]:
 
 def help_lines() -> tuple[str, ...]:
     """What `rosml --help` says of further help."""
-    if found := addresses():
-        return tuple(f"{name}: {address}" for name, address in found.items())
-    where = "that you cloned" if IN_CHECKOUT else "that rosml was installed from"
+    if urls := addresses():
+        return tuple(f"{name}: {address}" for name, address in urls.items())
+    source = "that you cloned" if IN_CHECKOUT else "that rosml was installed from"
     return (
         "Pages: docs/. Messages and remedies: docs/troubleshooting.md.",
-        f"Report a problem in the repository {where}.",
+        f"Report a problem in the repository {source}.",
     )

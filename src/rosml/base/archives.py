@@ -20,7 +20,7 @@ zstd = _zstd
 """The standard library's module of that name, or what stands for it before Python 3.14."""
 
 HEADER_BYTES = 1 << 20
-"""The largest header before an entry, in bytes: a long name or an extended header. tarfile reads it whole."""
+"""The largest header before an entry: a long name or an extended header. tarfile reads it whole."""
 
 MEMBERS = 100
 """The most members that a gzip file may have. Most have one."""
@@ -43,14 +43,7 @@ _HEADERS = (
 
 
 def gunzipped(data: bytes, limit: int) -> bytes:
-    """The content of all members of a gzip file.
-
-    Args:
-        limit: the largest content, in bytes.
-
-    Raises:
-        ValueError: the file is damaged, or its content is larger.
-    """
+    """The content of all members of a gzip file, at most `limit` bytes. Raises ValueError."""
     content = bytearray()
     for _ in range(MEMBERS):
         state = zlib.decompressobj(wbits=31)
@@ -68,9 +61,6 @@ def gunzipped(data: bytes, limit: int) -> bytes:
 
 def unpacked(blocks: Iterable[bytes]) -> Iterator[bytes]:
     """The content of a file of gzip or zstd, or of one that is not compressed, in pieces of at most PIECE. The caller limits their sum.
-
-    Args:
-        blocks: the file, in pieces.
 
     Raises:
         ValueError: it is damaged.
@@ -117,28 +107,20 @@ class Frames:
     """A file of zstd, frame by frame. A frame says in its header how large its content is."""
 
     _HEADER = 18
-    """The most bytes of the header of a frame."""
+    """The largest header of a frame."""
 
     def __init__(self, blocks: Iterable[bytes], window: int) -> None:
-        """
-        Args:
-            blocks: the file, in pieces.
-            window: the most that a frame refers back to, as a power of two.
-        """
+        """`window` is the most that a frame refers back to, as a power of two."""
         self._blocks, self._rest = iter(blocks), b""
         self._options: dict[int, int] = {zstd.DecompressionParameter.window_log_max: window}
 
     def next(self, limit: int, prefix: bytes | bytearray = b"") -> bytes:
-        """The content of the next frame.
-
-        Args:
-            limit: its largest size, in bytes.
-            prefix: what the frame refers to besides.
+        """The content of the next frame, at most `limit` bytes. `prefix` is what the frame refers to besides.
 
         Raises:
             ValueError: the frame is damaged, larger, or does not say its size.
         """
-        known = zstd.ZstdDict(prefix, is_raw=True).as_prefix if prefix else None
+        dictionary = zstd.ZstdDict(prefix, is_raw=True).as_prefix if prefix else None
         del prefix  # there is a copy
         try:
             while len(self._rest) < self._HEADER and (block := next(self._blocks, b"")):
@@ -146,7 +128,7 @@ class Frames:
             size = zstd.get_frame_info(self._rest).decompressed_size
             if size is None or size > limit:
                 raise ValueError(f"a frame has {size} bytes, and at most {limit:,} are read")
-            frame = zstd.ZstdDecompressor(known, self._options)
+            frame = zstd.ZstdDecompressor(dictionary, self._options)
             content, block = bytearray(), self._rest
             while not frame.eof:
                 # A header may lie: what is read beyond its size ends the reading.
@@ -174,14 +156,8 @@ _BAD_ZIP = (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, OSErr
 
 
 def file_of_zip(source: IO[bytes], pattern: str, limit: int) -> bytes:
-    """The first file of a zip archive whose whole path matches a pattern.
-
-    Args:
-        source: the archive; only its list of files and that file are read.
-        limit: the largest content, in bytes.
-
-    Raises:
-        ValueError: the archive is damaged, has no such file, or the file is larger.
+    """The first file of a zip archive whose whole path matches a pattern, at most `limit` bytes. Only the archive's list and that file
+    are read. Raises ValueError.
     """
     try:
         with zipfile.ZipFile(source) as archive:
@@ -215,16 +191,16 @@ class Entry(tarfile.TarInfo):
     def _proc_member(self, archive: tarfile.TarFile) -> Self:
         if self.type in _HEADERS and self.size > HEADER_BYTES:
             raise tarfile.ReadError(f"a header has {self.size} bytes")
-        found: Self = super()._proc_member(archive)  # type: ignore[misc]
-        return found
+        entry: Self = super()._proc_member(archive)  # type: ignore[misc]
+        return entry
 
     def _proc_pax(self, archive: tarfile.TarFile) -> Self:
         under: Any = archive.fileobj
         data = under.read(-(-self.size // tarfile.BLOCKSIZE) * tarfile.BLOCKSIZE)
         _require_records(data[: self.size])
         archive.fileobj = _Read(archive, under, data)  # type: ignore[assignment] # tarfile reads it again
-        found: Self = super()._proc_pax(archive)  # type: ignore[misc]
-        return found
+        entry: Self = super()._proc_pax(archive)  # type: ignore[misc]
+        return entry
 
 
 _RUN = re.compile(rb"[0-9]{101}")
@@ -234,16 +210,15 @@ _LENGTH = re.compile(rb"([0-9]{1,20}) [^=\n]")
 
 
 def _require_records(data: bytes) -> None:
-    """Checks an extended header: records of `LENGTH NAME=VALUE` and a line's end. In others, tarfile searches from each record to the end.
+    """Raises tarfile.ReadError unless an extended header is records of `LENGTH NAME=VALUE` and a line's end, without very long numbers.
 
-    Raises:
-        tarfile.ReadError: it is none, or has very long numbers.
+    In other headers, tarfile searches from each record to the end.
     """
     at, data = 0, data.rstrip(b"\0")
     while at < len(data):
-        found = _LENGTH.match(data, at)
-        end = at + int(found[1]) if found else 0
-        if not found or not found.end() < end <= len(data) or data[end - 1] != 0x0A or data.find(b"=", at, end) < 0:
+        match = _LENGTH.match(data, at)
+        end = at + int(match[1]) if match else 0
+        if not match or not match.end() < end <= len(data) or data[end - 1] != 0x0A or data.find(b"=", at, end) < 0:
             raise tarfile.ReadError("an extended header is damaged")
         at = end
     if _RUN.search(data):

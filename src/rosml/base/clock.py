@@ -13,11 +13,7 @@ AHEAD = timedelta(days=1)
 
 
 def checked_date(text: str) -> str:
-    """Returns a run's date.
-
-    Raises:
-        RosmlError: the text is no such date (exit code 2).
-    """
+    """Returns a run's date, or raises RosmlError (exit code 2)."""
     if not is_date(text):
         raise RosmlError(f"{text!r} is no time", "write it as 2026-11-22T03:00:00Z", exit_code=2)
     return text
@@ -32,16 +28,12 @@ def is_date(text: str) -> bool:
 
 
 def is_ahead(date: str, clock: str) -> bool:
-    """Whether a run's date is in the future. Both arguments are dates of runs."""
+    """Whether a run's date is in the future."""
     return datetime.strptime(date, TIME) > datetime.strptime(clock, TIME) + AHEAD
 
 
 def require_not_ahead(date: str, clock: str) -> None:
-    """Checks the date of a run that begins now. If it were in the future, no run before that date could move the same tags.
-
-    Raises:
-        RosmlError: the date is in the future (exit code 2).
-    """
+    """Raises RosmlError if the date of a run that begins now is in the future: no run before that date could move the same tags."""
     if is_ahead(date, clock):
         raise RosmlError(
             f"the run's date {date} is in the future (it is {clock}): no run before that date could move its tags",

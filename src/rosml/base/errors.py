@@ -4,12 +4,9 @@ from __future__ import annotations
 
 
 class RosmlError(Exception):
-    """A failure with its remedy. Commands print both, without a traceback.
+    """A failure with its remedy, which is empty if the message says it already. Commands print both, without a traceback.
 
-    Attributes:
-        message: what went wrong, with the value or place at fault.
-        remedy: what to do about it; empty if the message says it already.
-        exit_code: 1 if the work failed, 2 if the input was wrong.
+    The exit code is 1 if the work failed, 2 if the input was wrong.
     """
 
     def __init__(self, message: str, remedy: str = "", exit_code: int = 1) -> None:

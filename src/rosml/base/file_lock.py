@@ -16,22 +16,15 @@ from pathlib import Path
 from rosml.base.units import ago
 
 LONGEST_COMMAND = 100
-"""Most characters of a holder's command."""
+"""The most characters of a holder's command."""
 
 
 @contextmanager
 def turn(file: Path, waiting: Callable[[], object]) -> Iterator[int]:
     """Waits until no other process holds the same lock, then holds it. If a process is killed, the kernel releases its lock.
 
-    Args:
-        file: the lock's file. It is made if it is missing, and stays.
-        waiting: called once if another process holds the lock.
-
-    Yields:
-        The file's descriptor. A child that inherits it holds the lock until it has ended, too.
-
-    Raises:
-        OSError: the file cannot be made.
+    The file is made if it is missing, and stays. `waiting` is called once if another process holds the lock. Yields the file's
+    descriptor: a child that inherits it holds the lock until it has ended, too.
     """
     file.parent.mkdir(parents=True, exist_ok=True)
     # A link is not followed, and a named pipe is not waited for.

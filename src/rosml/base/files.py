@@ -18,24 +18,19 @@ WRITABLE = "choose a writable folder"
 def write(file: Path, content: str, within: Path | None = None) -> bool:
     """Writes a file at once, so that nobody ever reads half of it. Returns whether it changed.
 
-    Links are followed. Pipes and devices, such as /dev/stdout, are written to, never replaced.
-
-    Args:
-        within: for a name that the user did not choose, such as one in a repository: the folder below which no link is followed.
-
-    Raises:
-        RosmlError: the file cannot be written.
+    Links are followed. Pipes and devices, such as /dev/stdout, are written to, never replaced. For a name that the user did not
+    choose, such as one in a repository, `within` is the folder below which no link is followed.
     """
     return bool(write_all({file: content}, within))
 
 
-def write_all(wanted: Mapping[Path, str], within: Path | None = None) -> list[Path]:
+def write_all(contents: Mapping[Path, str], within: Path | None = None) -> list[Path]:
     """Writes files as `write` does: all of them, or none if the disk is full. Returns those that changed."""
     staged: dict[Path, tuple[Path, Path]] = {}
     written: list[Path] = []
     try:
-        for file, content in wanted.items():
-            with _told(file):
+        for file, content in contents.items():
+            with _write_errors(file):
                 if within:
                     _require_within(file, within)
                 if file.exists() and not file.is_file() and not file.is_dir():
@@ -44,7 +39,7 @@ def write_all(wanted: Mapping[Path, str], within: Path | None = None) -> list[Pa
                 elif _read(file) != content:
                     staged[file] = (file.resolve(), _staged(file.resolve(), content))
         for file, (real, temporary) in staged.items():
-            with _told(file):
+            with _write_errors(file):
                 os.replace(temporary, real)
                 written.append(file)
     except BaseException:  # also Ctrl-C: leave nothing behind
@@ -59,17 +54,14 @@ def whole(file: Path) -> Iterator[BinaryIO]:
     """A large file to write, from its beginning to its end. It appears under its name only if all went well, and is on the disk then.
 
     Links are followed. Pipes and devices, such as /dev/stdout, are written to, never replaced.
-
-    Raises:
-        RosmlError: the file cannot be written.
     """
     import tempfile  # only needed here
 
     if file.exists() and not file.is_file() and not file.is_dir():
-        with _told(file), file.open("wb") as stream:
+        with _write_errors(file), file.open("wb") as stream:
             yield stream
         return
-    with _told(file):
+    with _write_errors(file):
         real = file.resolve()
         if real.is_dir():
             raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
@@ -79,7 +71,7 @@ def whole(file: Path) -> Iterator[BinaryIO]:
         if descriptor is None:
             descriptor, name = tempfile.mkstemp(dir=real.parent, prefix=f".{real.name[:100]}.")
     try:
-        with _told(file):
+        with _write_errors(file):
             with os.fdopen(descriptor, "wb") as stream:
                 yield stream
                 stream.flush()
@@ -114,20 +106,19 @@ def _unnamed(folder: Path) -> int | None:
 
 
 def large_folder() -> str | None:
-    """The folder for large temporary files: the one that TMPDIR names, or else /var/tmp, as /tmp may be in memory. None for Python's own
-    choice."""
+    """The folder for large temporary files: TMPDIR, or else /var/tmp, as /tmp may be in memory. None for Python's own choice."""
     return None if "TMPDIR" in os.environ or not os.path.isdir("/var/tmp") else "/var/tmp"
 
 
 def temporary() -> IO[bytes]:
-    """A large file without a name: it goes away when it is closed, or when its process ends. It lies in `large_folder`."""
+    """A large file in `large_folder` without a name. It goes away when it is closed, or when its process ends."""
     import tempfile  # only needed here
 
     return tempfile.TemporaryFile(dir=large_folder())
 
 
 @contextlib.contextmanager
-def _told(file: Path) -> Iterator[None]:
+def _write_errors(file: Path) -> Iterator[None]:
     """Turns errors into a RosmlError that names the file and a remedy."""
     try:
         yield
@@ -167,20 +158,13 @@ def _staged(file: Path, content: str) -> Path:
 
 
 def limited(file: Path, most: int) -> bytes:
-    """The content of a file, up to one byte more than it may have: the caller refuses that.
-
-    Raises:
-        OSError: the file cannot be read.
-    """
+    """The content of a file, up to one byte more than it may have: the caller refuses that."""
     with file.open("rb") as stream:
         return stream.read(most + 1)
 
 
 def regular(file: Path, most: int) -> bytes | None:
-    """The content of a file from outside; None if there is none.
-
-    Args:
-        most: the most bytes that it may have.
+    """The content of a file from outside, at most `most` bytes; None if there is none.
 
     Raises:
         RosmlError: it is a link, a pipe, a device or a folder, is larger, or cannot be read.
@@ -203,11 +187,7 @@ def regular(file: Path, most: int) -> bytes | None:
 
 
 def text(file: Path) -> str:
-    """The content of a file of the checkout.
-
-    Raises:
-        RosmlError: it cannot be read, or is not UTF-8.
-    """
+    """The content of a file of the checkout."""
     try:
         return file.read_bytes().decode("utf-8")
     except OSError as error:
@@ -217,20 +197,22 @@ def text(file: Path) -> str:
         raise RosmlError(f"{shown(file)}: cannot be read: {error.strerror}", remedy) from None
     except UnicodeDecodeError as error:
         line = error.object.count(b"\n", 0, error.start) + 1
-        found = f"byte 0x{error.object[error.start]:02x}"
-        raise RosmlError(f"{shown(file)}:{line}: not UTF-8 ({found})", "save the file as UTF-8", exit_code=2) from None
+        byte = f"byte 0x{error.object[error.start]:02x}"
+        raise RosmlError(f"{shown(file)}:{line}: not UTF-8 ({byte})", "save the file as UTF-8", exit_code=2) from None
 
 
 def difference(file: Path, content: str) -> str:
     """A unified diff from the file to its expected content; empty if they are the same."""
-    found = _read(file)
-    if found == content:
+    present = _read(file)
+    if present == content:
         return ""
     from difflib import unified_diff  # only needed when something is stale
 
     name = shown(file)
-    old = [] if found is None else found.splitlines(keepends=True)
-    return "".join(unified_diff(old, content.splitlines(keepends=True), f"{name} (found)", f"{name} (expected)"))
+    present_lines = [] if present is None else present.splitlines(keepends=True)
+    return "".join(
+        unified_diff(present_lines, content.splitlines(keepends=True), f"{name} (found)", f"{name} (expected)")
+    )
 
 
 def _read(file: Path) -> str | None:

@@ -22,11 +22,7 @@ def summary(text: str) -> None:
 
 
 def output(name: str, value: str) -> None:
-    """Sets an output of the step.
-
-    Raises:
-        ValueError: the value has more than one line, and could set another output.
-    """
+    """Sets an output of the step. Raises ValueError for a value of several lines, which could set another output."""
     if "\n" in value or "\r" in value:
         raise ValueError(f"the output {name} has several lines")
     _append(OUTPUT, f"{name}={value}\n")
@@ -41,7 +37,7 @@ def table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
 def code(text: str) -> str:
     """Text from outside as Markdown code: no part of it becomes a link, a mention or HTML. Several lines become a block."""
     text = shown(text)
-    ticks = "`" * (1 + max((len(found) for found in re.findall("`+", text)), default=0))
+    ticks = "`" * (1 + max((len(run) for run in re.findall("`+", text)), default=0))
     if "\n" in text:
         return f"{ticks}``\n{text}\n{ticks}``"
     return f"{ticks} {text} {ticks}" if "`" in text else f"{ticks}{text}{ticks}"

@@ -48,11 +48,7 @@ class InputError(RosmlError):
 
 
 def dotted(path: KeyPath, start: str = "") -> str:
-    """A path for people: `distributions.jazzy.components[2]`.
-
-    Args:
-        start: what stands before it.
-    """
+    """A path for people: `distributions.jazzy.components[2]`, after what it starts with."""
     text = start
     for step in path:
         if isinstance(step, int):
@@ -75,14 +71,14 @@ def listed(names: Sequence[str], last: str = "and") -> str:
 
 
 SOME = 4
-"""How many names are shown of a list that may be long."""
+"""The most names of a long list that a message shows."""
 
 
 def some(names: Iterable[str]) -> str:
     """The first names of many: `a, b, c, d and 7 more`."""
-    known = list(names)
-    more = len(known) - SOME
-    return ", ".join(known) if more <= 1 else f"{', '.join(known[:SOME])} and {more} more"
+    shown = list(names)
+    more = len(shown) - SOME
+    return ", ".join(shown) if more <= 1 else f"{', '.join(shown[:SOME])} and {more} more"
 
 
 def counted(number: int, what: str) -> str:
@@ -90,21 +86,17 @@ def counted(number: int, what: str) -> str:
     return f"{number} {what}{'s'[: number != 1]}"
 
 
-def near(name: str, known: Iterable[str]) -> str:
-    """The remedy for an unknown name: near matches, or all known names if they are few.
-
-    Returns:
-        `did you mean 'x'?`, `known: a, b, c`, or nothing.
-    """
+def near(name: str, names: Iterable[str]) -> str:
+    """The remedy for an unknown name: `did you mean 'x'?`, `known: a, b, c`, or nothing."""
     from difflib import get_close_matches  # only needed when something is wrong
 
-    names = list(known)
+    names = list(names)
     if matches := get_close_matches(name, names, n=3):
         return f"did you mean {listed([repr(match) for match in matches], last='or')}?"
     return f"known: {', '.join(names)}" if 0 < len(names) <= 12 else ""
 
 
-def unknown(kind: str, name: str, known: Iterable[str]) -> str:
+def unknown(kind: str, name: str, names: Iterable[str]) -> str:
     """The sentence about an unknown name: `no stack named 'cu129'; did you mean 'cu128'?`."""
-    names = list(known)
+    names = list(names)
     return "; ".join(part for part in (f"no {kind} named {name!r}", near(name, names)) if part)

@@ -18,11 +18,7 @@ class Pin:
 
 
 def parse_pin(go_mod: str) -> Pin:
-    """Reads a go.mod. It has one ``tool`` line; that of our own programs requires one module directly instead.
-
-    Raises:
-        ValueError: it has neither, or does not require the tool's module.
-    """
+    """Reads a go.mod. It has one ``tool`` line; that of our own programs requires one module directly instead. Raises ValueError."""
     required = re.findall(r"^(?:require)?\s+(\S+) (v\S+)( // indirect)?$", go_mod, re.MULTILINE)
     tool = re.search(r"^tool (\S+)$", go_mod, re.MULTILINE)
     if not tool:
@@ -42,16 +38,7 @@ def parse_pin(go_mod: str) -> Pin:
 
 
 def pinned_version(root: Path, program: str, failed: type[RosmlError]) -> str:
-    """The version of a program that a checkout pins, such as `0.65.0`.
-
-    Args:
-        root: the checkout.
-        program: its name, such as `trivy`: a folder of tools/go.
-        failed: the class of the error to raise.
-
-    Raises:
-        RosmlError: the checkout pins no version; the error is of the class `failed`.
-    """
+    """The version of a program, such as `0.65.0`, that a checkout pins in a folder of tools/go. The error is of the class `failed`."""
     file = root / "tools" / "go" / program / "go.mod"
     try:
         return parse_pin(file.read_text()).version.removeprefix("v")
@@ -62,20 +49,12 @@ def pinned_version(root: Path, program: str, failed: type[RosmlError]) -> str:
 
 
 def pinned_image(root: Path, name: str) -> str:
-    """The reference of an image, with the tag and the digest that a checkout pins.
-
-    Args:
-        root: the checkout.
-        name: the image's name, such as `moby/buildkit`.
-
-    Raises:
-        RosmlError: the checkout pins no such image.
-    """
+    """The reference of an image such as `moby/buildkit`, with the tag and the digest that a checkout pins."""
     file = root / "tools" / "images.txt"
     try:
-        found = re.search(rf"^{re.escape(name)}:\S+@sha256:[0-9a-f]{{64}}$", file.read_text(), re.MULTILINE)
+        match = re.search(rf"^{re.escape(name)}:\S+@sha256:[0-9a-f]{{64}}$", file.read_text(), re.MULTILINE)
     except OSError as error:
         raise RosmlError(f"{file}: {error.strerror}", "call this in a checkout") from None
-    if not found:
+    if not match:
         raise RosmlError(f"{file} pins no {name}", "restore the file")
-    return found[0]
+    return match[0]

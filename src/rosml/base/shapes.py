@@ -20,7 +20,7 @@ ENTRIES = 5_000
 T = TypeVar("T")
 
 Adapter = TypeAdapter
-"""The type of what `adapter` gives."""
+"""The type of what `adapter` returns."""
 
 _LISTS = ("list", "tuple", "set", "frozenset")
 _OBJECTS = ("dict", "model-fields")
@@ -43,11 +43,7 @@ def _bounded(schema: Any) -> Any:
 
 
 def _few(value: Any) -> Any:
-    """The value, if it has not too many items to look at them.
-
-    Raises:
-        PydanticCustomError: it has.
-    """
+    """Raises PydanticCustomError if a value has too many items to look at them."""
     most = ENTRIES if isinstance(value, Mapping) else ITEMS
     if isinstance(value, Sized) and not isinstance(value, str | bytes) and len(value) > most:
         raise PydanticCustomError("too_long", f"it has more than {most:,} items")
@@ -84,6 +80,6 @@ class Bounded:
 
 
 def adapter(kind: type[T]) -> Adapter[T]:
-    """What reads a value of a type that is no `Shape`, within the same limits."""
+    """Reads a value of a type that is no `Shape`, within the same limits."""
     bounded: Any = Annotated[kind, Bounded]
     return Adapter(bounded)

@@ -17,22 +17,15 @@ a second."""
 
 
 def side_by_side(work: Callable[[T], R], items: Iterable[T], at_once: int = 0, title: str = "") -> list[R]:
-    """Does some work for each of several things, in threads.
+    """Does some work for each of several things, in threads. Returns the results in the order of the things.
 
-    Args:
-        at_once: how many are under way at a time; AT_ONCE if 0.
-        title: names the work on a terminal, which shows how many of the things are done; it shows nothing if empty.
-
-    Returns:
-        The results, in the order of the things.
-
-    Raises:
-        Exception: what the work for the first of them that failed raised. After an error, no more work is begun.
+    `at_once` of 0 means AT_ONCE. With a title, a terminal shows how many of the things are done. The first error ends it, and no
+    more work is begun.
     """
-    wanted = list(items)
+    work_items = list(items)
     pool = ThreadPoolExecutor(at_once or AT_ONCE)
     try:
-        found = pool.map(work, wanted)
-        return list(progress_bar.over(found, title, len(wanted)) if title else found)
+        results = pool.map(work, work_items)
+        return list(progress_bar.over(results, title, len(work_items)) if title else results)
     finally:
         pool.shutdown(cancel_futures=True)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Concatenate, NamedTuple, ParamSpec, TextI
 
 import click
 
-Given = ParamSpec("Given")
+Parameters = ParamSpec("Parameters")
 
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ def shown(text: str) -> str:
     """A text from outside that is safe to print: without commands to the terminal or to CI."""
     text = _CONTROL.sub(r"\1", text)
     if os.environ.get("GITHUB_ACTIONS") == "true":
-        text = _COMMAND.sub(lambda found: f"{found[1]}: " if found[1] is not None else " #", text)
+        text = _COMMAND.sub(lambda match: f"{match[1]}: " if match[1] is not None else " #", text)
     return text
 
 
@@ -66,25 +66,18 @@ class _Shown:
 def table(
     *columns: str, right: Collection[str] = (), wrapped: Collection[str] = (), whole: Collection[str] = ()
 ) -> Table:
-    """An empty table.
-
-    Args:
-        columns: the heads of the columns.
-        right: columns that are aligned to the right, such as numbers.
-        wrapped: columns whose cells may take several lines.
-        whole: columns whose cells are never cut, however narrow the terminal is.
-    """
+    """An empty table. Cells of the columns `wrapped` may take several lines; those of `whole` are never cut, however narrow the terminal."""
     from rich.table import Table  # slow to import, and only needed here
 
-    made = Table(box=None, header_style="bold", pad_edge=False)
+    new = Table(box=None, header_style="bold", pad_edge=False)
     for column in columns:
-        made.add_column(
+        new.add_column(
             column,
             justify="right" if column in right else "left",
             overflow="fold" if column in wrapped else "ignore" if column in whole else "ellipsis",
             no_wrap=column not in wrapped,
         )
-    return made
+    return new
 
 
 def console() -> Console:
@@ -112,10 +105,9 @@ class Styled(NamedTuple):
 
 
 Cell = str | Styled
-"""A cell of a table."""
 
 WIDTH = 400
-"""The width of output that is no terminal."""
+"""The width of output that is no terminal, in characters."""
 
 
 def _text(cell: Cell) -> str:
@@ -129,7 +121,7 @@ def _plain() -> bool:
 
 
 def width() -> int:
-    """As many characters fit on a line."""
+    """The most characters of a line."""
     return WIDTH if _plain() else console().width
 
 
@@ -142,7 +134,6 @@ def say(text: str, style: str) -> None:
 
 
 def widths(columns: Sequence[str], rows: Iterable[Sequence[Cell]]) -> list[int]:
-    """The widths of the columns of a table."""
     return [max(len(_text(cell)) for cell in cells) for cells in zip(columns, *rows, strict=True)]
 
 
@@ -153,12 +144,9 @@ def show_rows(
     wrapped: Collection[str] = (),
     whole: Collection[str] = (),
 ) -> None:
-    """Prints a table without spaces at the ends of lines.
+    """Prints a table without spaces at the ends of lines. The arguments are those of `table`.
 
     rich takes a millisecond for each row, so it draws only what needs it: rows with a style, and tables that are wider than a line.
-
-    Args:
-        right, wrapped, whole: as `table` has them.
     """
     wide = widths(columns, rows)
     if sum(wide) + 2 * (len(wide) - 1) > width() or not all(_is_simple(_text(cell)) for row in rows for cell in row):
@@ -215,23 +203,23 @@ _PADDING = re.compile(r" +((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)
 """Spaces at the end of a line, with the codes after them that end a colour."""
 
 
-def plain_where_wanted(
-    function: Callable[Concatenate[click.Command, Given], int],
-) -> Callable[Concatenate[click.Command, Given], int]:
+def obeying_no_color(
+    function: Callable[Concatenate[click.Command, Parameters], int],
+) -> Callable[Concatenate[click.Command, Parameters], int]:
     """Decorates a function that runs a command: no colours if NO_COLOR is set (https://no-color.org).
 
     rich, which prints tables, knows NO_COLOR; click only checks for a terminal.
     """
 
     @functools.wraps(function)
-    def run(main: click.Command, /, *given: Given.args, **named: Given.kwargs) -> int:
+    def run(main: click.Command, /, *arguments: Parameters.args, **options: Parameters.kwargs) -> int:
         if not os.environ.get("NO_COLOR"):
-            return function(main, *given, **named)
+            return function(main, *arguments, **options)
         before = main.context_settings
         main.context_settings = {**before, "color": False}  # for the command's output
         try:
             with click.Context(main, color=False):  # for the message if it fails
-                return function(main, *given, **named)
+                return function(main, *arguments, **options)
         finally:
             main.context_settings = before
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def size(count: int) -> str:
-    """Bytes for people, in decimal units as registries count: ``3.61 GB``."""
+    """Bytes in decimal units, as registries count: ``3.61 GB``."""
     value = float(count)
     for unit in ("B", "kB", "MB", "GB"):
         if value < 1000 or unit == "GB":
@@ -14,7 +14,7 @@ def size(count: int) -> str:
 
 
 def duration(seconds: float) -> str:
-    """Seconds for people: ``75.2`` -> ``1 min 15 s``. Less than a minute keeps a decimal."""
+    """``75.2`` -> ``1 min 15 s``. Less than a minute keeps a decimal."""
     if seconds < 60:
         return f"{seconds:.1f} s"
     whole = round(seconds)

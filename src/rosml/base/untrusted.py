@@ -41,12 +41,7 @@ CHECK = "check where it is from"
 
 
 def json_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK, exit_code: int = 1) -> Any:
-    """The value of a JSON text.
-
-    Args:
-        what: the text's name in messages.
-        limit: the most bytes.
-        remedy, exit_code: those of the error.
+    """The value of a JSON text of at most `limit` bytes. `what` is its name in messages.
 
     Raises:
         RosmlError: the text is larger, has more than `VALUES` values, is nested deeper than `DEPTH`, or no JSON in UTF-8; it has a
@@ -60,58 +55,42 @@ def json_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK
 
 
 def json_value(data: bytes | str, limit: int = SIZE) -> Any:
-    """The value of a JSON text.
-
-    Raises:
-        ValueError: as RosmlError of `json_of`.
-    """
-    (found,) = json_values(data, limit, one=True)
-    return found
+    """As `json_of`, with ValueError for RosmlError."""
+    (value,) = json_values(data, limit, one=True)
+    return value
 
 
 def json_object(data: bytes | str, limit: int = SIZE) -> dict[str, Any] | None:
     """The object of a JSON text; None if it is no object, or if `json_value` refuses it."""
     try:
-        found = json_value(data, limit)
+        value = json_value(data, limit)
     except ValueError:
         return None
-    return found if isinstance(found, dict) else None
+    return value if isinstance(value, dict) else None
 
 
 def json_values(data: bytes | str, limit: int = SIZE, one: bool = False) -> list[Any]:
-    """The values of JSON texts that follow each other.
-
-    Args:
-        limit: the most bytes of all texts.
-        one: there must be exactly one.
-
-    Raises:
-        ValueError: as RosmlError of `json_of`.
-    """
+    """The values of JSON texts that follow each other, of at most `limit` bytes in all; exactly one if `one` is set. Raises ValueError."""
     text = json_text(data, limit)
-    found: list[Any] = []
+    values: list[Any] = []
     place = _BLANKS.match(text, 0).end()  # type: ignore[union-attr] # it matches anywhere
     try:
-        while place < len(text) or (one and not found):
+        while place < len(text) or (one and not values):
             value, place = _DECODER.raw_decode(text, place)
             place = _BLANKS.match(text, place).end()  # type: ignore[union-attr]
-            found.append(value)
+            values.append(value)
             if one and place < len(text):
                 raise ValueError("something follows its value")
     except RecursionError:
         raise ValueError(_DEEP) from None
-    _require_shallow(found)
-    if _SURROGATE.search(text) and not _is_unicode(found):
+    _require_shallow(values)
+    if _SURROGATE.search(text) and not _is_unicode(values):
         raise ValueError("it has half of a surrogate pair")
-    return found
+    return values
 
 
 def json_text(data: bytes | str, limit: int = SIZE) -> str:
-    """A JSON text that something else reads.
-
-    Raises:
-        ValueError: it is larger, is not UTF-8, or may have more than `VALUES` values.
-    """
+    """A JSON text that something else reads. Raises ValueError if it is too large or not UTF-8, or may have more than `VALUES` values."""
     text = _text(data, limit)
     if sum(text.count(mark) for mark in ",[{") > VALUES:  # strings may have some of these marks, too
         raise ValueError(f"it has more than {VALUES:,} values")
@@ -135,10 +114,10 @@ def _text(data: bytes | str, limit: int) -> str:
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    found = dict(pairs)
-    if len(found) < len(pairs):
+    unique = dict(pairs)
+    if len(unique) < len(pairs):
         raise ValueError("a key is there twice")
-    return found
+    return unique
 
 
 def _whole(text: str) -> int:
@@ -148,9 +127,9 @@ def _whole(text: str) -> int:
 
 
 def _fraction(text: str) -> float:
-    if not math.isfinite(found := float(text)):
+    if not math.isfinite(number := float(text)):
         raise ValueError("it has a number that is too large")
-    return found
+    return number
 
 
 def _constant(text: str) -> float:
@@ -171,9 +150,9 @@ def _require_shallow(values: list[Any]) -> None:
     raise ValueError(_DEEP)
 
 
-def _is_unicode(found: Any) -> bool:
+def _is_unicode(value: Any) -> bool:
     try:
-        json.dumps(found, ensure_ascii=False).encode()
+        json.dumps(value, ensure_ascii=False).encode()
     except UnicodeEncodeError:
         return False
     return True
@@ -205,12 +184,7 @@ def toml_value(text: str) -> dict[str, Any]:
 
 
 def yaml_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK, exit_code: int = 1) -> Any:
-    """The value of a YAML text, from YAML's safe constructor. The text may have aliases.
-
-    Args:
-        what: the text's name in messages.
-        limit: the most bytes.
-        remedy, exit_code: those of the error.
+    """The value of a YAML text, from YAML's safe constructor. The text may have aliases. `what` is its name in messages.
 
     Raises:
         RosmlError: the text is larger, nested deeper than `DEPTH`, or no YAML in UTF-8; its aliases make more than `NODES` values,
@@ -233,13 +207,9 @@ def yaml_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK
 
 
 def yaml_node(text: str, plain: bool = False) -> Any:
-    """The top node of a YAML text; None for an empty one.
+    """The top node of a YAML text; None for an empty one. Raises yaml.YAMLError.
 
-    Args:
-        plain: the caller read all of `yaml_events`, and they have no anchor and no alias.
-
-    Raises:
-        yaml.YAMLError: it is no YAML, is nested too deep, or its aliases are too many or lead into themselves.
+    `plain`: the caller read all of `yaml_events`, and they have no anchor and no alias.
     """
     import yaml
 
@@ -286,17 +256,17 @@ def _require_small(events: Iterator[Any]) -> None:
     """Raises yaml.YAMLError if aliases make too much of a text, go too deep, or lead into themselves."""
     import yaml
 
-    known: dict[str, tuple[int, int]] = {}  # for each anchor: the number of its values, and of their levels
+    anchors: dict[str, tuple[int, int]] = {}  # for each anchor: the number of its values, and of their levels
     above: list[tuple[str, int, int]] = [("", 0, 0)]  # for each open collection: its anchor, values and levels so far
     for event in events:
         if isinstance(event, yaml.CollectionStartEvent):
             above.append((event.anchor or "", 1, 1))
-            known.pop(event.anchor or "", None)
+            anchors.pop(event.anchor or "", None)
             continue
         if isinstance(event, yaml.CollectionEndEvent):
             anchor, values, levels = above.pop()
         elif isinstance(event, yaml.AliasEvent):
-            anchor, (values, levels) = "", known.get(event.anchor or "", (0, 0))
+            anchor, (values, levels) = "", anchors.get(event.anchor or "", (0, 0))
             if not values:
                 raise _refused(f"the alias {event.anchor} leads nowhere, or into itself", event)
         elif isinstance(event, yaml.ScalarEvent):
@@ -304,7 +274,7 @@ def _require_small(events: Iterator[Any]) -> None:
         else:
             continue
         if anchor:
-            known[anchor] = values, levels
+            anchors[anchor] = values, levels
         outer, count, deepest = above[-1]
         above[-1] = outer, count + values, max(deepest, levels + 1)
         if count + values > NODES:
@@ -317,14 +287,14 @@ def _constructor() -> Any:
     """PyYAML's safe constructor, without very long numbers."""
     import yaml
 
-    known, whole = yaml.constructor.SafeConstructor.yaml_constructors, "tag:yaml.org,2002:int"
+    constructors, whole = yaml.constructor.SafeConstructor.yaml_constructors, "tag:yaml.org,2002:int"
 
     def short(self: Any, node: yaml.ScalarNode) -> Any:
         if isinstance(node.value, str) and len(node.value) > 2 * DIGITS:
             raise yaml.constructor.ConstructorError(None, None, "a number is too long", node.start_mark)
-        return known[whole](self, node)
+        return constructors[whole](self, node)
 
     class Constructor(yaml.constructor.SafeConstructor):
-        yaml_constructors: ClassVar[dict[Any, Any]] = {**known, whole: short}
+        yaml_constructors: ClassVar[dict[Any, Any]] = {**constructors, whole: short}
 
     return Constructor()

@@ -29,7 +29,7 @@ REDIRECTS = 5
 """The most redirects of a request."""
 
 EXCERPT = 64 << 10
-"""The most bytes to read of an error or a redirect."""
+"""The largest part that is read of an error or a redirect."""
 
 
 BUSY = (429, 500, 502, 503, 504)
@@ -57,20 +57,15 @@ class _NoCookies(CookieJar):
 
 
 def client(**options: Any) -> httpx.Client:
-    """A client of httpx. It trusts the authorities of `trusted` unless `verify` says otherwise, asks for unpacked bodies, and keeps no
-    cookies.
-
-    Raises:
-        RosmlError: a variable of the environment names an unsupported proxy, or certificates that cannot be read (exit code 2).
-    """
+    """A client of httpx with the environment's proxies, for unpacked bodies, without cookies. Its default for `verify` is `trusted()`."""
     try:
         if "verify" not in options:  # plain http needs no certificates
             options["verify"] = trusted()
         headers = {"Accept-Encoding": "identity", **options.pop("headers", {})}
         return httpx.Client(headers=headers, cookies=_NoCookies(), **options)
     except (ImportError, ValueError) as error:
-        named = [f"{name}={os.environ[name].rpartition('@')[2]}" for name in PROXIES if os.environ.get(name)]
-        text = f"a proxy of the environment cannot be used: {', '.join(named) or error}"
+        proxies = [f"{name}={os.environ[name].rpartition('@')[2]}" for name in PROXIES if os.environ.get(name)]
+        text = f"a proxy of the environment cannot be used: {', '.join(proxies) or error}"
         raise RosmlError(text, "name proxies as http://host:port or https://host:port", exit_code=2) from None
     except OSError as error:
         name = os.environ.get("SSL_CERT_FILE", "")
@@ -83,10 +78,10 @@ def is_here(address: str) -> bool:
     """Whether an address, such as `http://host:3142`, is this machine's: a socket can be bound to its host."""
     try:
         host = urlsplit(address if "//" in address else f"//{address}").hostname
-        found = socket.getaddrinfo(host, 0, type=socket.SOCK_STREAM) if host else []
+        addresses = socket.getaddrinfo(host, 0, type=socket.SOCK_STREAM) if host else []
     except (OSError, ValueError):  # no address, or no such host
         return False
-    for family, kind, *_others, place in found:
+    for family, kind, *_others, place in addresses:
         with contextlib.suppress(OSError), socket.socket(family, kind) as probe:
             probe.bind(place)
             return True
@@ -95,10 +90,7 @@ def is_here(address: str) -> bool:
 
 def trusted() -> ssl.SSLContext:
     """TLS' authorities: those of SSL_CERT_FILE or SSL_CERT_DIR, by default the usual ones. All clients share the context, so do not
-    change it: reading hundreds of certificates takes 50 ms, more than most requests.
-
-    Raises:
-        OSError: the file cannot be read, or has no certificate in PEM.
+    change it: reading hundreds of certificates takes 50 ms, more than most requests. Raises OSError.
     """
     return _trusted(os.environ.get("SSL_CERT_FILE", ""), os.environ.get("SSL_CERT_DIR", ""))
 
@@ -112,11 +104,7 @@ def _trusted(_file: str, _folder: str) -> ssl.SSLContext:
 
 
 def joined(base: httpx.URL, text: str) -> httpx.URL:
-    """The address that a server names, relative to the asked one.
-
-    Raises:
-        Unfit: it cannot be asked.
-    """
+    """The address that a server names, relative to the asked one. Raises Unfit."""
     try:
         return checked(base.join(text))
     except (httpx.InvalidURL, ValueError):
@@ -124,11 +112,7 @@ def joined(base: httpx.URL, text: str) -> httpx.URL:
 
 
 def checked(address: httpx.URL) -> httpx.URL:
-    """An address, if it can be asked.
-
-    Raises:
-        Unfit: its scheme is not http or https, or its host is no name.
-    """
+    """Raises Unfit if an address cannot be asked: its scheme is not http or https, or its host is no name."""
     try:
         address.host.encode("idna")  # as the look-up of the name does it
     except UnicodeError:
@@ -140,7 +124,7 @@ def checked(address: httpx.URL) -> httpx.URL:
 
 
 def origin(address: httpx.URL) -> tuple[str, str, int | None]:
-    """Scheme, host and port of an address."""
+    """Scheme, host and port."""
     return address.scheme, address.host, address.port
 
 
@@ -148,12 +132,7 @@ def followed(client: httpx.Client, request: httpx.Request, elsewhere: bool) -> h
     """Sends a request, and follows its redirects if it only reads. `Authorization` goes to no other origin. It does not read the
     answer's body.
 
-    Args:
-        elsewhere: follow redirects to other origins too. Otherwise such a redirect is the answer.
-
-    Raises:
-        Unfit: there are too many redirects, or one leads to no address.
-        httpx.HTTPError: the server does not answer, or not in HTTP.
+    `elsewhere`: follow redirects to other origins too. Otherwise such a redirect is the answer. Raises Unfit, httpx.HTTPError.
     """
     answer = client.send(request, stream=True, follow_redirects=False)
     for _ in range(REDIRECTS):
@@ -181,25 +160,15 @@ def after(headers: Mapping[str, str]) -> float:
 
 
 def waited(attempt: int, seconds: float = 0.0) -> bool:
-    """Waits before asking a busy server again. Returns False, without a wait, if it was asked often enough.
-
-    Args:
-        attempt: how often it was asked.
-        seconds: the wait that it asks for.
-    """
+    """Waits before asking a busy server again. Returns False, without a wait, if it was asked `attempt` times and that is enough."""
     if attempt >= ATTEMPTS:
         return False
     time.sleep(min(max(WAIT * 2 ** (attempt - 1), seconds), LONGEST_WAIT))
     return True
 
 
-def asked(client: httpx.Client, url: str) -> httpx.Response:
-    """Asks for a file, again if the server is too busy or breaks off. It does not read the answer's body.
-
-    Raises:
-        Unfit: there are too many redirects, or one leads to no address.
-        httpx.HTTPError: the server does not answer, or not in HTTP.
-    """
+def fetched(client: httpx.Client, url: str) -> httpx.Response:
+    """Asks for a file, again if the server is too busy or breaks off. It does not read the answer's body. Raises as `followed`."""
     attempt = 0
     while True:
         attempt += 1
@@ -217,15 +186,12 @@ def asked(client: httpx.Client, url: str) -> httpx.Response:
 def read(answer: httpx.Response, limit: int) -> bytes:
     """The whole body of an answer, as it was sent.
 
-    Args:
-        limit: the most bytes.
-
     Raises:
-        Unfit: it is larger, or takes longer than `LONGEST`.
+        Unfit: it has more than `limit` bytes, or takes longer than `LONGEST`.
         httpx.HTTPError: it does not arrive.
     """
-    said = answer.headers.get("content-length", "")
-    if said.isdecimal() and (len(said) > 18 or int(said) > limit) and answer.request.method != "HEAD":
+    length = answer.headers.get("content-length", "")
+    if length.isdecimal() and (len(length) > 18 or int(length) > limit) and answer.request.method != "HEAD":
         answer.close()
         raise Unfit(f"it has more than {units.size(limit)}")
     blocks = _blocks(answer, limit)
@@ -235,23 +201,19 @@ def read(answer: httpx.Response, limit: int) -> bytes:
 
 
 def excerpt(answer: httpx.Response, limit: int = EXCERPT) -> bytes:
-    """The beginning of an answer's body, as it was sent. The rest is not read.
-
-    Raises:
-        httpx.HTTPError: it does not arrive.
-    """
+    """The beginning of an answer's body, as it was sent. The rest is not read."""
     return b"".join(_blocks(answer, limit))[:limit]
 
 
 def _blocks(answer: httpx.Response, limit: int) -> list[bytes]:
     """The pieces of a body until they are more than `limit` bytes."""
-    found, room, end = [], limit, time.monotonic() + LONGEST
+    blocks, room, end = [], limit, time.monotonic() + LONGEST
     with contextlib.closing(answer):
         for block in answer.iter_raw():
-            found.append(block)
+            blocks.append(block)
             room -= len(block)
             if room < 0:
                 break
             if time.monotonic() > end:
                 raise Unfit(f"it takes longer than {units.duration(LONGEST)}")
-    return found
+    return blocks

@@ -20,7 +20,7 @@ from rosml.base import terminal
 from rosml.base.environment import program
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
-from rosml.base.terminal import plain_where_wanted
+from rosml.base.terminal import obeying_no_color
 
 INTERRUPTED_TEXT = "interrupted"
 """The message after Ctrl-C, unless a command has its own."""
@@ -35,7 +35,7 @@ BROKEN_PIPE = 141
 """The exit code of commands that work if the reader of their output is gone: as if SIGPIPE had ended them."""
 
 
-@plain_where_wanted
+@obeying_no_color
 def run(
     main: click.Command,
     interrupted: str = INTERRUPTED_TEXT,

@@ -125,7 +125,7 @@ class Services:
         env["BUILDX_BUILDER"] = self.builder
         if self.buildx_config is not None:
             env["BUILDX_CONFIG"] = str(self.buildx_config)
-        if auths := credentials.own(self.state).get("auths"):
+        if auths := credentials.local_file(self.state).get("auths"):
             given = untrusted.json_object(env.get(credentials.VARIABLE, "")) or {}
             theirs = given.get("auths")
             env[credentials.VARIABLE] = json.dumps(

@@ -21,21 +21,12 @@ JSON_BYTES = 4 << 20
 """Largest manifest, page of a list or other answer in JSON. Registries take manifests of at most this size."""
 
 SHOWN = 300
-"""How many characters of a registry's error message are shown."""
+"""The most characters of a registry's error message."""
 
 
 @dataclass(frozen=True)
 class Answer:
-    """An answer with its body, as it was sent.
-
-    Attributes:
-        method: of the request.
-        url: of the request, after redirects.
-        status_code: by HTTP.
-        headers: of the answer.
-        content: the body; only the beginning if the answer is an error.
-        redirect: the host that the answer redirects to; empty if it does not.
-    """
+    """An answer to `method` at `url`, after redirects. `redirect` is the host of a redirect that was not followed."""
 
     method: str
     url: httpx.URL
@@ -46,21 +37,11 @@ class Answer:
 
     @property
     def is_success(self) -> bool:
-        """Whether the request succeeded."""
         return 200 <= self.status_code < 300
 
 
 def whole(answer: httpx.Response, limit: int) -> Answer:
-    """Reads the body of an answer.
-
-    Args:
-        answer: as httpx has it.
-        limit: the largest body of a success, in bytes.
-
-    Raises:
-        web.Unfit: the body is larger.
-        httpx.HTTPError: the body does not arrive.
-    """
+    """Reads the body of an answer, up to `limit` bytes if it is a success; of an error, only the beginning."""
     content = web.read(answer, limit) if answer.is_success else web.excerpt(answer)
     redirect = answer.next_request.url.host if answer.next_request else ""
     return Answer(answer.request.method, answer.url, answer.status_code, answer.headers, content, redirect)
@@ -68,13 +49,12 @@ def whole(answer: httpx.Response, limit: int) -> Answer:
 
 def reason(answer: Answer) -> str:
     """The registry's error message in brackets; empty if there is none."""
-    said = listed(list(dict.fromkeys(error.message or error.code for error in _errors(answer).errors)))
-    said = "".join(character if character.isprintable() else " " for character in said)
-    return f" ({said[:SHOWN]})" if said.strip() else ""
+    text = listed(list(dict.fromkeys(error.message or error.code for error in _errors(answer).errors)))
+    text = "".join(character if character.isprintable() else " " for character in text)
+    return f" ({text[:SHOWN]})" if text.strip() else ""
 
 
 def codes(answer: Answer) -> set[str]:
-    """The error codes of an answer."""
     return {error.code for error in _errors(answer).errors}
 
 

@@ -22,19 +22,11 @@ FALLBACKS = {"386": "amd64", "arm": "arm64"}
 """Older architectures, with the one whose builders take their images if an index has no others."""
 
 LONGEST = 100
-"""How much of an instruction a message has, in characters."""
+"""The most characters of an instruction in a message."""
 
 
 def require_no_triggers(settings: Settings | None, name: str) -> None:
-    """Checks that an image has no ONBUILD.
-
-    Args:
-        settings: from its config.
-        name: the user's name of the image, for messages.
-
-    Raises:
-        RosmlError: it has (exit code 2).
-    """
+    """Raises RosmlError if an image has ONBUILD. `name` is the user's name of the image."""
     if triggers := (settings and settings.OnBuild) or ():
         texts = [" ".join(text.split())[:LONGEST] for text in triggers]
         raise RosmlError(
@@ -47,18 +39,13 @@ def require_no_triggers(settings: Settings | None, name: str) -> None:
 def configs(
     registry: Registry, repository: str, manifest: Manifest, name: str, architectures: Collection[str] = ()
 ) -> list[tuple[Platform | documents.Config, Config]]:
-    """The configs of the images that a builder may take, each with the platform that the index says, or the config if there is none.
+    """The configs of the images that a builder may take, each with the platform that the index gives, or the config if there is none.
 
-    An index may list several images for a platform, or leave out what one is for. A builder may take any of them.
-
-    Args:
-        repository: its path.
-        manifest: an index, or the manifest of an image.
-        name: the user's name of the image, for messages.
-        architectures: those that the build needs; all if empty.
+    An index may list several images for a platform, or leave out what one is for. A builder may take any of them. Without
+    `architectures`, it may take all.
 
     Raises:
-        RosmlError: an image has ONBUILD, or is no image (exit code 2); the registry does not answer or refuses.
+        RosmlError: an image has ONBUILD, or is no image (exit code 2).
     """
     images: list[tuple[Platform | documents.Config, Config]] = []
     if not manifest.is_index:

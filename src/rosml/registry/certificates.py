@@ -21,63 +21,50 @@ SYSTEM = Path("/etc/docker/certs.d")
 
 def folders() -> list[Path]:
     """The folders with certificates: of the machine, and beside the user's config file of Docker."""
-    own = credentials.folder()
-    return [SYSTEM, *([own / "certs.d"] if own else [])]
+    user_folder = credentials.folder()
+    return [SYSTEM, *([user_folder / "certs.d"] if user_folder else [])]
 
 
 def of(host: str) -> list[Path]:
     """The files with the trusted authorities of a registry; none for most registries."""
-    found: list[Path] = []
+    files: list[Path] = []
     for folder in folders():
         try:
-            found += sorted(file for file in (folder / host).iterdir() if file.suffix == ".crt")
+            files += sorted(file for file in (folder / host).iterdir() if file.suffix == ".crt")
         except OSError:  # the folder is missing, or unreadable for this user
             continue
-    return found
+    return files
 
 
 def by_host() -> dict[str, list[Path]]:
-    """The readable files of all registries, by host."""
-    found: dict[str, list[Path]] = {}
+    """The readable files of all registries."""
+    files_by_host: dict[str, list[Path]] = {}
     for file in [file for folder in folders() for file in sorted(folder.glob("*/*.crt"))]:
         if file.is_file() and os.access(file, os.R_OK):
-            found.setdefault(file.parent.name, []).append(file)
-    return found
+            files_by_host.setdefault(file.parent.name, []).append(file)
+    return files_by_host
 
 
 def context(ca_bundle: str, authorities: list[Path]) -> ssl.SSLContext:
-    """The TLS context that trusts a bundle and further authorities.
-
-    Args:
-        ca_bundle: a file of certificates; if empty, the file that SSL_CERT_FILE names, or the usual one.
-        authorities: further files.
-
-    Raises:
-        RosmlError: one of the files cannot be read (exit code 2).
-    """
-    name = ca_bundle or "the file that SSL_CERT_FILE names"
+    """The TLS context that trusts a bundle and further files. The default of `ca_bundle` is that of SSL_CERT_FILE, or the usual one."""
+    source = ca_bundle or "the file that SSL_CERT_FILE names"
     try:
         if not (ca_bundle or authorities):
             return web.trusted()
-        made = ssl.create_default_context(cafile=ca_bundle) if ca_bundle else httpx.create_ssl_context()
+        trusting = ssl.create_default_context(cafile=ca_bundle) if ca_bundle else httpx.create_ssl_context()
         for file in authorities:
-            name = str(file)
-            made.load_verify_locations(file)
+            source = str(file)
+            trusting.load_verify_locations(file)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else "it has no certificate"
         if isinstance(error, ssl.SSLError):
             reason = "it has no certificate in PEM"
-        raise RosmlError(f"{name}: {reason}", "use a file with certificates in PEM", exit_code=2) from None
-    return made
+        raise RosmlError(f"{source}: {reason}", "use a file with certificates in PEM", exit_code=2) from None
+    return trusting
 
 
 def remedy(host: str, reason: str) -> str:
-    """The remedy if a certificate is not trusted.
-
-    Args:
-        host: the registry.
-        reason: in the words of OpenSSL or Go.
-    """
+    """The remedy if a certificate is not trusted, for a reason in the words of OpenSSL or Go."""
     if "expired" in reason:
         return "its operator has to renew it; if it is new, check this machine's clock"
     if "not yet valid" in reason:

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 LARGEST = 8 << 10
-"""Headers with more characters are ignored. Real ones have some hundred."""
+"""Longer headers, in characters, are ignored. Real ones have some hundred."""
 
 _SCHEME = re.compile(r"[ \t,]*([A-Za-z0-9-]{1,32})(?:[ \t]+|$)")
 _PARAMETER = re.compile(r'[ \t,]*([A-Za-z0-9_-]{1,32})[ \t]*=[ \t]*(?:"((?:[^"\\]|\\.)*)"|([^\s,"]+))')
@@ -15,14 +15,7 @@ _PARAMETER = re.compile(r'[ \t,]*([A-Za-z0-9_-]{1,32})[ \t]*=[ \t]*(?:"((?:[^"\\
 
 @dataclass(frozen=True)
 class Challenge:
-    """The credentials that a registry asks for.
-
-    Attributes:
-        bearer: whether it asks for a token; otherwise for a name and password.
-        realm: the address of the token server.
-        service: sent to the token server.
-        scopes: sent to the token server.
-    """
+    """The credentials that a registry asks for: a name and password, or a `bearer` token from the server at `realm`."""
 
     bearer: bool
     realm: str = ""
@@ -31,15 +24,14 @@ class Challenge:
 
 
 def read(headers: Iterable[str]) -> Challenge | None:
-    """The first challenge of a known scheme in an answer's headers; None if there is none. Reads each character
-    once."""
+    """The first challenge of a known scheme in an answer's headers; None if there is none. Reads each character once."""
     for text in headers:
-        found = _SCHEME.match(text)
-        if found is None or len(text) > LARGEST:
+        match = _SCHEME.match(text)
+        if match is None or len(text) > LARGEST:
             continue
-        scheme, fields = found[1].lower(), dict[str, str]()
-        while found := _PARAMETER.match(text, found.end()):
-            fields[found[1].lower()] = re.sub(r"\\(.)", r"\1", found[2]) if found[3] is None else found[3]
+        scheme, fields = match[1].lower(), dict[str, str]()
+        while match := _PARAMETER.match(text, match.end()):
+            fields[match[1].lower()] = re.sub(r"\\(.)", r"\1", match[2]) if match[3] is None else match[3]
         if scheme == "bearer" and fields.get("realm"):
             scopes = frozenset(fields.get("scope", "").split())
             return Challenge(True, fields["realm"], fields.get("service", ""), scopes)

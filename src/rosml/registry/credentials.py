@@ -1,5 +1,4 @@
-"""Finds the user's credentials for a registry as Docker does: in a variable, its config file, and its credential
-helpers."""
+"""Finds the user's credentials for a registry as Docker does: in a variable, its config file, and its credential helpers."""
 
 from __future__ import annotations
 
@@ -20,7 +19,6 @@ from rosml.base.shapes import Shape
 
 DOCKER_HUB = "docker.io"
 DOCKER_HUB_KEY = "https://index.docker.io/v1/"
-"""Docker's name for Docker Hub in the config file."""
 
 HELPER_SECONDS = 30.0
 """Time limit of a credential helper, which may ask a keychain or a cloud."""
@@ -32,20 +30,14 @@ OWN = "auth/docker.json"
 """Below `.state`: credentials for the local registry of a checkout, in the form of Docker's config file."""
 
 TOKEN_USER = "<token>"
-"""The user name of a helper's answer if the secret is an identity token."""
+"""The user name in a helper's answer if the secret is an identity token."""
 
 _REMEDY = "correct it, or log in again: docker login"
 
 
 @dataclass(frozen=True)
 class Credentials:
-    """A user's name and password, or an identity token. They appear in no message.
-
-    Attributes:
-        username: for Basic, and to get a Bearer token.
-        password: for Basic, and to get a Bearer token.
-        identity_token: to get a Bearer token instead; empty if there is none.
-    """
+    """A user's name and password, or an identity token instead. They appear in no message."""
 
     username: str = field(default="", repr=False)
     password: str = field(default="", repr=False)
@@ -54,8 +46,8 @@ class Credentials:
 
 def folder() -> Path | None:
     """The folder of Docker's config file; None if the user has no home folder, as in some containers."""
-    if named := os.environ.get("DOCKER_CONFIG"):
-        return Path(named)
+    if variable := os.environ.get("DOCKER_CONFIG"):
+        return Path(variable)
     try:
         return Path.home() / ".docker"
     except RuntimeError:
@@ -67,19 +59,16 @@ def from_docker(host: str) -> Credentials | None:
 
     The order is Docker's: the variable DOCKER_AUTH_CONFIG, the helper of that registry, the helper for all registries,
     the config file. Only the credentials that `rosml setup` made for the local registry come before the helpers.
-
-    Raises:
-        RosmlError: the variable or the file is damaged, or a helper cannot be run.
     """
     names = (DOCKER_HUB_KEY, DOCKER_HUB) if host == DOCKER_HUB else (host,)
-    if found := _from_variable(names):
-        return found
-    if found := _of(own(STATE).get("auths"), names, OWN):
-        return found
-    place = folder()
-    if place is None:
+    if login := _from_variable(names):
+        return login
+    if login := _of(local_file(STATE).get("auths"), names, OWN):
+        return login
+    docker_folder = folder()
+    if docker_folder is None:
         return None
-    file = place / "config.json"
+    file = docker_folder / "config.json"
     config = _read(file)
     helpers = _object(config.get("credHelpers"), f"{file}: credHelpers")
     for name in names:
@@ -87,14 +76,13 @@ def from_docker(host: str) -> Credentials | None:
             return _helper(_program(helpers[name], file), name)
     if config.get("credsStore"):
         for name in names:
-            if found := _helper(_program(config["credsStore"], file), name):
-                return found
+            if login := _helper(_program(config["credsStore"], file), name):
+                return login
     return _of(config.get("auths"), names, str(file))
 
 
-def own(state: Path) -> dict[str, Any]:
-    """The credentials file that `rosml setup` made for the local registry; empty if there is none, or it is
-    unreadable."""
+def local_file(state: Path) -> dict[str, Any]:
+    """The credentials file that `rosml setup` made for the local registry; empty if there is none, or it is unreadable."""
     try:
         return untrusted.json_object((state / OWN).read_bytes()) or {}
     except OSError:
@@ -102,7 +90,7 @@ def own(state: Path) -> dict[str, Any]:
 
 
 def _from_variable(names: tuple[str, ...]) -> Credentials | None:
-    """The credentials in DOCKER_AUTH_CONFIG. Messages do not show its text."""
+    """Messages do not show the variable's text."""
     text = os.environ.get(VARIABLE, "")
     if not text:
         return None
@@ -115,8 +103,8 @@ def _from_variable(names: tuple[str, ...]) -> Credentials | None:
 
 def _of(auths: Any, names: tuple[str, ...], place: str) -> Credentials | None:
     auths = _object(auths, f"{place}: auths")
-    wanted = {_bare(name) for name in names}
-    entry = next((entry for name, entry in auths.items() if _bare(name) in wanted), None)
+    hosts = {_bare(name) for name in names}
+    entry = next((entry for name, entry in auths.items() if _bare(name) in hosts), None)
     return _entry(_object(entry, f"{place}: auths of {names[-1]}"), place, names[-1])
 
 
@@ -145,8 +133,6 @@ def _bare(name: str) -> str:
 
 
 class _Entry(Shape):
-    """The entry of a registry in `auths`."""
-
     model_config = ConfigDict(strict=True)
 
     auth: str | None = None
@@ -157,19 +143,18 @@ class _Entry(Shape):
 
 def _entry(entry: Mapping[str, Any], place: str, host: str) -> Credentials | None:
     try:
-        found = _Entry.model_validate(entry)
-        if found.identitytoken:
-            return Credentials(identity_token=found.identitytoken)
-        if found.auth:
-            username, password = base64.b64decode(found.auth, validate=True).decode().split(":", 1)
+        login = _Entry.model_validate(entry)
+        if login.identitytoken:
+            return Credentials(identity_token=login.identitytoken)
+        if login.auth:
+            username, password = base64.b64decode(login.auth, validate=True).decode().split(":", 1)
             return Credentials(username, password.rstrip("\0"))
     except ValueError:  # also if the text is not ASCII or UTF-8. Messages do not show it
         raise RosmlError(f"{place}: its entry for {host} cannot be read", f"docker login {host}") from None
-    return Credentials(found.username, found.password or "") if found.username else None
+    return Credentials(login.username, login.password or "") if login.username else None
 
 
 def _program(name: Any, file: Path) -> str:
-    """The program of a credential helper that the config file names."""
     if not isinstance(name, str) or "/" in name:
         raise RosmlError(f"{file}: the name of a credential helper is no name of a program", _REMEDY)
     return f"docker-credential-{name}"

@@ -23,9 +23,9 @@ MediaType = Annotated[str, Field(pattern=rf"^{MEDIA_TYPE}$")]
 Size = Annotated[int, Field(ge=0, lt=1 << 62)]
 
 
-def _texts(found: Any) -> dict[str, str]:
+def _texts(value: Any) -> dict[str, str]:
     """Annotations as text. Anybody may write anything there, and the image is still good."""
-    return {str(name): str(text) for name, text in found.items()} if isinstance(found, Mapping) else {}
+    return {str(name): str(text) for name, text in value.items()} if isinstance(value, Mapping) else {}
 
 
 Annotations = Annotated[dict[str, str], BeforeValidator(_texts)]
@@ -36,8 +36,6 @@ class _Shape(Shape):
 
 
 class Platform(_Shape):
-    """Where an image runs, by its entry in an index."""
-
     os: str | None = None
     architecture: str | None = None
     variant: str | None = None
@@ -81,14 +79,10 @@ class Index(_Shape):
 
 
 class Referrers(_Shape):
-    """A page of the artifacts attached to a manifest."""
-
     manifests: list[Descriptor] | None
 
 
 class Tags(_Shape):
-    """A page of the tags of a repository."""
-
     tags: list[Tag] | None
 
 
@@ -106,14 +100,12 @@ class Settings(_Shape):
 
 
 class RootFs(_Shape):
-    """Digests of layers before they were compressed, lowest first."""
+    """`diff_ids` are digests of layers before they were compressed, lowest first."""
 
     diff_ids: list[Digest] | None = None
 
 
 class Config(_Shape):
-    """The config of an image."""
-
     os: str | None = None
     architecture: str | None = None
     variant: str | None = None
@@ -124,21 +116,15 @@ class Config(_Shape):
 
 
 class Error(_Shape):
-    """One error in an answer."""
-
     code: str = ""
     message: str | None = None
 
 
 class Errors(_Shape):
-    """The body of an error."""
-
     errors: list[Error]
 
 
 class Token(_Shape):
-    """The answer of a token server. `expires_in` is in seconds."""
-
     token: str | None = None
     access_token: str | None = None
     expires_in: Any = None

@@ -13,7 +13,7 @@ from rosml.base import web
 from rosml.base.errors import RosmlError
 
 ATTEMPTS = 7
-"""How often a request is sent before it fails, in about half a minute."""
+"""How often a request is sent, in about half a minute."""
 
 ATTEMPTS_UNREACHED = 3
 """The same, if the registry never answered, so that a wrong name fails soon."""
@@ -36,7 +36,7 @@ class Busy(RosmlError):
 
 
 class Immutable(RosmlError):
-    """The registry lets no tag move."""
+    pass
 
 
 class Transient(Exception):
@@ -44,7 +44,7 @@ class Transient(Exception):
 
     Attributes:
         after: seconds that the registry asks to wait.
-        connected: whether a server accepted the connection.
+        connected: a server accepted the connection.
         final: the kind of error if it does not pass.
     """
 
@@ -58,11 +58,8 @@ class Transient(Exception):
 
 
 class Refused(Transient):
-    """The registry refused a request that it may accept later: another machine is creating the repository, or a part of
-    the registry does not know a new blob yet.
-
-    Attributes:
-        error: the error if it does not pass.
+    """The registry refused what it may accept later: another machine is creating the repository, or a part of the registry
+    does not know a new blob yet. `error` is the error if it does not pass.
     """
 
     def __init__(self, error: RosmlError) -> None:
@@ -77,8 +74,7 @@ class Denied(Refused):
 class Limited(Transient):
     """The registry answered 429: an account, or an address without one, has asked too often.
 
-    Attributes:
-        from_the_first: whether it answered nothing else until now, so the limit is no matter of seconds.
+    `from_the_first`: it answered nothing else until now, so the limit is no matter of seconds.
     """
 
     def __init__(self, message: str, after: float, from_the_first: bool) -> None:
@@ -91,13 +87,7 @@ class Untrusted(Transient):
 
 
 def pause(error: Transient, attempt: int, reached: bool = True) -> float | None:
-    """Seconds to wait before a request is sent again; None if it was sent often enough.
-
-    Args:
-        error: the failure of the last attempt.
-        attempt: how often the request was sent.
-        reached: whether the registry ever answered.
-    """
+    """Seconds to wait before a request is sent again; None if it was sent often enough. `reached`: the registry ever answered."""
     most = ATTEMPTS_REFUSED if isinstance(error, Refused) else ATTEMPTS if reached else ATTEMPTS_UNREACHED
     if isinstance(error, Limited) and error.from_the_first:
         most = ATTEMPTS_LIMITED
@@ -109,12 +99,7 @@ def pause(error: Transient, attempt: int, reached: bool = True) -> float | None:
 
 @contextlib.contextmanager
 def http_errors(method: str, address: httpx.URL) -> Iterator[None]:
-    """Turns httpx's errors into our own.
-
-    Raises:
-        Transient: the failure may pass.
-        RosmlError: it does not pass, for example because the answer is too large.
-    """
+    """Turns httpx's errors into Transient, or into RosmlError if they do not pass."""
     try:
         yield
     except httpx.TransportError as error:

@@ -29,17 +29,15 @@ EMPTY_BLOB = b"{}"
 
 
 def digest_of(data: bytes) -> str:
-    """The digest of some bytes."""
     return f"sha256:{hashlib.sha256(data).hexdigest()}"
 
 
 def encoded(content: Mapping[str, Any]) -> bytes:
-    """A JSON object as bytes. The same content gives the same bytes on every machine."""
+    """The same content gives the same bytes on every machine."""
     return json.dumps(content, sort_keys=True, separators=(",", ":"), ensure_ascii=False).encode()
 
 
 def descriptor(media_type: str, data: bytes) -> dict[str, Any]:
-    """The descriptor of a blob."""
     return {"mediaType": media_type, "digest": digest_of(data), "size": len(data)}
 
 
@@ -50,15 +48,7 @@ def artifact(
     annotations: Mapping[str, str] | None = None,
     subject: Mapping[str, Any] | None = None,
 ) -> dict[str, Any]:
-    """The manifest of an artifact with one layer. Its blobs are the part and EMPTY_BLOB.
-
-    Args:
-        artifact_type: of the artifact.
-        part: the content of the layer.
-        media_type: of the layer.
-        annotations: of the manifest.
-        subject: descriptor of the manifest that the artifact is attached to; None if it is attached to none.
-    """
+    """The manifest of an artifact with one layer, `part`. Its blobs are the part and EMPTY_BLOB. `subject` is a descriptor."""
     return {
         "schemaVersion": 2,
         "mediaType": IMAGE,
@@ -72,13 +62,8 @@ def artifact(
 
 @dataclass(frozen=True)
 class Manifest:
-    """A manifest or index as a registry holds it. `size` is in bytes.
-
-    Attributes:
-        content: the whole document, to pass it on. To read it, use the properties, which are checked and typed.
-        digest: of the document.
-        media_type: of the document.
-        size: of the document.
+    """A manifest or index as a registry holds it. To read it, use the properties, which are checked and typed; `content` is for
+    passing it on. `size` is in bytes.
     """
 
     content: dict[str, Any]
@@ -91,21 +76,15 @@ class Manifest:
         return self.read()
 
     def read(self) -> documents.Image | documents.Index:
-        """The content as a model.
-
-        Raises:
-            ValidationError: the content does not follow OCI's specification.
-        """
+        """The content as a model. Raises ValidationError."""
         return (documents.Index if self.is_index else documents.Image).model_validate(self.content)
 
     @property
     def is_index(self) -> bool:
-        """Whether this is an index, which lists manifests."""
         return self.media_type in INDEXES
 
     @property
     def descriptor(self) -> dict[str, Any]:
-        """The descriptor of this manifest, for an index or as a subject."""
         return {"mediaType": self.media_type, "digest": self.digest, "size": self.size}
 
     @property
@@ -120,46 +99,39 @@ class Manifest:
 
     @property
     def config(self) -> Descriptor | None:
-        """The descriptor of an image's config; None if this is an index, and for some artifacts."""
+        """None if this is an index, and for some artifacts."""
         return self._document.config
 
     @property
     def annotations(self) -> dict[str, str]:
-        """The annotations of the manifest itself."""
         return self._document.annotations
 
     @property
     def subject(self) -> str:
         """The digest of the manifest that this one is attached to; empty if it is attached to none."""
-        found = self._document.subject
-        return found.digest if found else ""
+        subject = self._document.subject
+        return subject.digest if subject else ""
 
     @property
     def artifact_type(self) -> str:
-        """The type of an artifact; empty if this is an image."""
+        """Empty if this is an image."""
         return self._document.artifactType or ""
 
 
 @dataclass(frozen=True)
 class Config:
-    """The config of an image.
-
-    Attributes:
-        content: the whole document, to pass it on.
-        facts: the fields that this program reads.
-    """
+    """The config of an image. `content` is for passing it on, `facts` for reading."""
 
     content: dict[str, Any]
     facts: documents.Config
 
     @property
     def labels(self) -> dict[str, str]:
-        """The labels of the image."""
         return (self.facts.config and self.facts.config.Labels) or {}
 
     @property
     def environment(self) -> list[str]:
-        """The environment of containers, as `NAME=value`."""
+        """As `NAME=value`."""
         return (self.facts.config and self.facts.config.Env) or []
 
     @property

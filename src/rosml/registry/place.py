@@ -8,33 +8,20 @@ from rosml.base.errors import RosmlError
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
 
-MADE = "application/vnd.rosml.repository.v1"
+REPOSITORY_TYPE = "application/vnd.rosml.repository.v1"
 """The type of the artifact that creates a repository. It has no tag."""
 
 
 @dataclass(frozen=True)
 class Place:
-    """A registry, and a path in it for images.
-
-    Attributes:
-        client: talks to the registry.
-        prefix: the path before the names of repositories, such as `me/rosml`; it may be empty.
-    """
+    """A registry, and the path before the names of its repositories, such as `me/rosml`; it may be empty."""
 
     client: Registry
     prefix: str = ""
 
     @classmethod
     def at(cls, text: str, ca_bundle: str = "") -> Place:
-        """The place that a text such as `ghcr.io/me/rosml` names. This sends no request to the registry.
-
-        Args:
-            text: registry and path.
-            ca_bundle: a file of certificates to trust.
-
-        Raises:
-            RosmlError: the text names no place (exit code 2).
-        """
+        """The place of a text such as `ghcr.io/me/rosml`. This sends no request to the registry."""
         host, _, prefix = text.rstrip("/").partition("/")
         if not references.is_place(host, prefix):
             scheme, mark, rest = text.partition("://")
@@ -44,30 +31,22 @@ class Place:
         return cls(Registry(host, ca_bundle=ca_bundle), prefix)
 
     def path(self, repository: str) -> str:
-        """The path of a repository in the registry."""
         return f"{self.prefix}/{repository}" if self.prefix else repository
 
     def reference(self, repository: str, digest: str = "") -> str:
-        """The reference of a repository with its registry; or, with a digest, of a manifest in it."""
+        """The reference of a repository with its registry, or of a manifest in it."""
         return f"{self.client.host}/{self.path(repository)}" + (f"@{digest}" if digest else "")
 
     def __str__(self) -> str:
-        """The place as people write it."""
         return f"{self.client.host}/{self.prefix}".rstrip("/")
 
     def make(self, repository: str) -> bool:
-        """Creates a repository by a push of a small artifact, unless the artifact is there.
+        """Creates a repository by a push of a small artifact, and returns whether the artifact was missing.
 
         Registries such as ghcr.io create a repository at its first push, and refuse other pushes into it meanwhile.
-
-        Returns:
-            Whether the artifact was pushed now.
-
-        Raises:
-            RosmlError: the registry does not answer or refuses.
         """
         path = self.path(repository)
-        artifact = oci.encoded(oci.artifact(MADE, oci.EMPTY_BLOB, oci.EMPTY))
+        artifact = oci.encoded(oci.artifact(REPOSITORY_TYPE, oci.EMPTY_BLOB, oci.EMPTY))
         if self.client.head(path, oci.digest_of(artifact)):
             return False
         self.client.put_blob(path, oci.EMPTY_BLOB)

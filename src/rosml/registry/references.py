@@ -17,8 +17,6 @@ _REFERENCE = re.compile(rf"({_HOST})/({_PATH})(?::({TAG}))?(?:@({DIGEST}))?")
 
 
 class Reference(NamedTuple):
-    """The registry, the repository, and the tag or digest of a manifest."""
-
     host: str
     repository: str
     reference: str
@@ -28,18 +26,13 @@ class Reference(NamedTuple):
 
 
 def parse(reference: str) -> Reference:
-    """Splits a complete reference such as ``ghcr.io/me/ros:jazzy-base``. Without a tag, it is `latest`. If there are a
-    tag and a digest, the digest counts.
-
-    Raises:
-        RosmlError: the text is no reference, or names no registry (exit code 2).
-    """
-    found = _REFERENCE.fullmatch(reference)
-    host = found[1] if found else ""
-    if found is None or not is_place(host, found[2]) or not has_registry(reference):
+    """Splits a reference such as ``ghcr.io/me/ros:jazzy-base``. If it has a tag and a digest, the digest counts."""
+    match = _REFERENCE.fullmatch(reference)
+    host = match[1] if match else ""
+    if match is None or not is_place(host, match[2]) or not has_registry(reference):
         text = f"{reference!r} is no reference with a registry, a repository and a tag or digest"
         raise RosmlError(text, "write it in full, such as ghcr.io/me/ros:jazzy-base", exit_code=2)
-    return Reference(found[1], found[2], found[4] or found[3] or "latest")
+    return Reference(match[1], match[2], match[4] or match[3] or "latest")
 
 
 def has_registry(name: str) -> bool:
@@ -49,14 +42,13 @@ def has_registry(name: str) -> bool:
 
 
 def complete(name: str) -> str:
-    """The name of an image with its registry; a name without one belongs to Docker Hub."""
+    """The name of an image with its registry, which is Docker Hub if the name has none."""
     if has_registry(name):
         return name
     return f"{DOCKER_HUB}/{name}" if "/" in name else f"{DOCKER_HUB}/library/{name}"
 
 
 def is_place(host: str, path: str) -> bool:
-    """Whether a host and a path can be a registry and a path in it."""
     if not re.fullmatch(_HOST, host) or not re.fullmatch(_PATH, path):
         return False
     try:
@@ -72,5 +64,4 @@ GONE = "check its digest; the registry may have removed it: take the image's tag
 
 
 def is_digest(reference: str) -> bool:
-    """Whether a reference is a digest, not a tag."""
     return re.fullmatch(DIGEST, reference) is not None

@@ -64,7 +64,7 @@ def is_up(root: Path) -> bool:
         services.require_builder()
     except RosmlError:
         return False
-    return not services.registry or bool(credentials.own(services.state))
+    return not services.registry or bool(credentials.local_file(services.state))
 
 
 def bring_up(root: Path) -> None:

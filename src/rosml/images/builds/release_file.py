@@ -50,7 +50,7 @@ def fetched(url: str, limit: int, variable: str) -> bytes:
     """
     try:
         with web.client(timeout=SECONDS) as client:
-            answer = web.asked(client, url)
+            answer = web.fetched(client, url)
             content = web.excerpt(answer, limit)
     except (httpx.HTTPError, httpx.InvalidURL, ValueError) as error:
         reason = str(error) or type(error).__name__
