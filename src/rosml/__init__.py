@@ -1,8 +1,4 @@
-"""ROS images with machine learning, images of people's own packages, and containers of both.
-
-The packages import in one direction, which `lint-imports` holds. From the top: `cli`; `containerize` and `delivery`; `images` and `run`;
-`machine`; `registry`; `base`. docs/architecture.md walks through them.
-"""
+"""ROS images with machine learning, images of people's own packages, and containers of both. See docs/architecture.md."""
 
 from __future__ import annotations
 
@@ -13,10 +9,7 @@ __version__ = "0.1.0"
 
 
 def root_of(package: Path) -> Path:
-    """The checkout that the package is in; else what was installed with the package.
-
-    The current folder does not count, whatever is in it: programs of a checkout are called, and the folder may be a stranger's.
-    """
+    """The checkout that the package is in, or what was installed with the package. The current folder may be a stranger's, and does not count."""
     in_checkout = package.parent.name == "src" and (package.parents[1] / "scripts/bootstrap.py").is_file()
     return package.parents[1] if in_checkout else package / "data"
 
@@ -39,10 +32,7 @@ ROOT = root_of(_PACKAGE)
 
 
 def matrix_of(root: Path) -> Path:
-    """The file that says which images exist: `set.yaml` for a user's set, which extends `matrix.yaml`; or `matrix.yaml`.
-
-    The command of a set has a link to its `set.yaml`, so that messages name the file that people edit.
-    """
+    """`set.yaml` of a user's set, or `matrix.yaml`. A set's command has a link to its `set.yaml`: messages name the file that people edit."""
     set_file = root / "set.yaml"
     return set_file.resolve() if set_file.is_file() else root / "matrix.yaml"
 
@@ -53,7 +43,7 @@ def own_of(root: Path) -> Path:
 
 
 MATRIX = ROOT / os.environ["ROSML_MATRIX"] if os.environ.get("ROSML_MATRIX") else matrix_of(ROOT)
-"""What commands read if no option names another one. The variable ROSML_MATRIX names one for all of them, from the root on."""
+"""What commands read if no option names another file. ROSML_MATRIX is relative to the root."""
 
 IN_CHECKOUT = ROOT != _PACKAGE / "data"
 """Whether images can be built here."""

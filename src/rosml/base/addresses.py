@@ -22,7 +22,6 @@ def addresses() -> dict[str, str]:
 
 
 def help_lines() -> tuple[str, ...]:
-    """What `rosml --help` says of further help."""
     if urls := addresses():
         return tuple(f"{name}: {address}" for name, address in urls.items())
     source = "that you cloned" if IN_CHECKOUT else "that rosml was installed from"

@@ -60,11 +60,7 @@ def gunzipped(data: bytes, limit: int) -> bytes:
 
 
 def unpacked(blocks: Iterable[bytes]) -> Iterator[bytes]:
-    """The content of a file of gzip or zstd, or of one that is not compressed, in pieces of at most PIECE. The caller limits their sum.
-
-    Raises:
-        ValueError: it is damaged.
-    """
+    """The content of a file of gzip or zstd, or of one that is not compressed, in pieces of at most PIECE. The caller limits their sum."""
     # What follows a member is copied at its end, so pieces are small: a file may have many members.
     source = (block[at : at + _FED] for block in blocks for at in range(0, len(block), _FED))
     block = b""
@@ -78,7 +74,6 @@ def unpacked(blocks: Iterable[bytes]) -> Iterator[bytes]:
 
 
 def _unpacked(block: bytes, source: Iterator[bytes], is_zstd: bool) -> Iterator[bytes]:
-    """The content of all members of a file of gzip, or of all frames of one of zstd."""
     empty = 0
     try:
         while block:
@@ -115,11 +110,7 @@ class Frames:
         self._options: dict[int, int] = {zstd.DecompressionParameter.window_log_max: window}
 
     def next(self, limit: int, prefix: bytes | bytearray = b"") -> bytes:
-        """The content of the next frame, at most `limit` bytes. `prefix` is what the frame refers to besides.
-
-        Raises:
-            ValueError: the frame is damaged, larger, or does not say its size.
-        """
+        """The content of the next frame, at most `limit` bytes, which may refer to `prefix`. Raises ValueError."""
         dictionary = zstd.ZstdDict(prefix, is_raw=True).as_prefix if prefix else None
         del prefix  # there is a copy
         try:
@@ -144,7 +135,6 @@ class Frames:
         return bytes(content)
 
     def end(self) -> bool:
-        """Whether nothing follows."""
         return not self._rest and not next(self._blocks, b"")
 
 
@@ -156,9 +146,7 @@ _BAD_ZIP = (zipfile.BadZipFile, zlib.error, EOFError, NotImplementedError, OSErr
 
 
 def file_of_zip(source: IO[bytes], pattern: str, limit: int) -> bytes:
-    """The first file of a zip archive whose whole path matches a pattern, at most `limit` bytes. Only the archive's list and that file
-    are read. Raises ValueError.
-    """
+    """The first file of a zip archive whose whole path matches a pattern, at most `limit` bytes. Raises ValueError."""
     try:
         with zipfile.ZipFile(source) as archive:
             entry = next((entry for entry in archive.infolist() if re.fullmatch(pattern, entry.filename)), None)

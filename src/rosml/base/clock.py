@@ -28,7 +28,6 @@ def is_date(text: str) -> bool:
 
 
 def is_ahead(date: str, clock: str) -> bool:
-    """Whether a run's date is in the future."""
     return datetime.strptime(date, TIME) > datetime.strptime(clock, TIME) + AHEAD
 
 

@@ -18,8 +18,8 @@ WRITABLE = "choose a writable folder"
 def write(file: Path, content: str, within: Path | None = None) -> bool:
     """Writes a file at once, so that nobody ever reads half of it. Returns whether it changed.
 
-    Links are followed. Pipes and devices, such as /dev/stdout, are written to, never replaced. For a name that the user did not
-    choose, such as one in a repository, `within` is the folder below which no link is followed.
+    Links are followed; pipes and devices, such as /dev/stdout, are written to. For a name that the user did not choose, such as one
+    in a repository, `within` is the folder below which no link is followed.
     """
     return bool(write_all({file: content}, within))
 
@@ -51,10 +51,7 @@ def write_all(contents: Mapping[Path, str], within: Path | None = None) -> list[
 
 @contextlib.contextmanager
 def whole(file: Path) -> Iterator[BinaryIO]:
-    """A large file to write, from its beginning to its end. It appears under its name only if all went well, and is on the disk then.
-
-    Links are followed. Pipes and devices, such as /dev/stdout, are written to, never replaced.
-    """
+    """A large file to write. It appears under its name only if all went well, and is on the disk then. Links and devices are as in `write`."""
     import tempfile  # only needed here
 
     if file.exists() and not file.is_file() and not file.is_dir():
@@ -119,7 +116,6 @@ def temporary() -> IO[bytes]:
 
 @contextlib.contextmanager
 def _write_errors(file: Path) -> Iterator[None]:
-    """Turns errors into a RosmlError that names the file and a remedy."""
     try:
         yield
     except (OSError, ValueError, RuntimeError) as error:
@@ -142,7 +138,6 @@ def _require_within(file: Path, folder: Path) -> None:
 
 
 def _staged(file: Path, content: str) -> Path:
-    """Makes a temporary file beside another one, with the new content."""
     import tempfile  # only needed here
 
     mode = file.stat().st_mode & 0o777 if file.exists() else 0o644
@@ -164,11 +159,7 @@ def limited(file: Path, most: int) -> bytes:
 
 
 def regular(file: Path, most: int) -> bytes | None:
-    """The content of a file from outside, at most `most` bytes; None if there is none.
-
-    Raises:
-        RosmlError: it is a link, a pipe, a device or a folder, is larger, or cannot be read.
-    """
+    """The content of a file from outside, None if there is none. It must be no link, pipe or device, and have at most `most` bytes."""
     try:
         descriptor = os.open(file, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
     except FileNotFoundError:
@@ -187,7 +178,6 @@ def regular(file: Path, most: int) -> bytes | None:
 
 
 def text(file: Path) -> str:
-    """The content of a file of the checkout."""
     try:
         return file.read_bytes().decode("utf-8")
     except OSError as error:

@@ -10,14 +10,12 @@ from pathlib import Path
 from rosml.base.terminal import shown
 
 SUMMARY = "GITHUB_STEP_SUMMARY"
-"""The variable that names the file for the summary. We append Markdown."""
+"""Names of variables that name files."""
 
 OUTPUT = "GITHUB_OUTPUT"
-"""The variable that names the file for the outputs, a line each."""
 
 
 def summary(text: str) -> None:
-    """Adds Markdown to the job's summary."""
     _append(SUMMARY, text)
 
 
@@ -29,7 +27,6 @@ def output(name: str, value: str) -> None:
 
 
 def table(columns: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A Markdown table."""
     lines = [columns, ["---"] * len(columns), *rows]
     return "".join(f"| {' | '.join(map(_cell, line))} |\n" for line in lines)
 

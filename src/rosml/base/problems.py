@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pydantic import ValidationError
 
 KeyPath = tuple[str | int, ...]
-"""The path from a file's top to a value: keys, and indexes of lists."""
+"""Keys, and indexes of lists, from a file's top to a value."""
 
 SHOWN = 50
 """How many problems one message spells out; a broken file can hold thousands."""

@@ -14,10 +14,7 @@ Thing = TypeVar("Thing")
 
 
 def over(things: Iterable[Thing], title: str, total: int) -> Iterator[Thing]:
-    """Yields the things one by one; a bar below the printed lines shows how many are done.
-
-    The bar goes away at the end, also if the caller stops early. Meanwhile, write to the current `sys.stderr`.
-    """
+    """Yields the things; a bar below the printed lines shows how many are done. Meanwhile, write to the current `sys.stderr`."""
     if total < 2 or not sys.stderr.isatty():
         yield from things
         return
@@ -31,7 +28,7 @@ def over(things: Iterable[Thing], title: str, total: int) -> Iterator[Thing]:
 
 @contextlib.contextmanager
 def of_bytes(title: str, total: int) -> Iterator[Callable[[int], object]]:
-    """Shows how many bytes are done. Gives a function to call with the number of further bytes."""
+    """Gives a function to call with the number of further bytes."""
     if not total or not sys.stderr.isatty():
         yield lambda _: None
         return

@@ -20,7 +20,6 @@ ENTRIES = 5_000
 T = TypeVar("T")
 
 Adapter = TypeAdapter
-"""The type of what `adapter` returns."""
 
 _LISTS = ("list", "tuple", "set", "frozenset")
 _OBJECTS = ("dict", "model-fields")

@@ -17,10 +17,8 @@ a second."""
 
 
 def side_by_side(work: Callable[[T], R], items: Iterable[T], at_once: int = 0, title: str = "") -> list[R]:
-    """Does some work for each of several things, in threads. Returns the results in the order of the things.
-
-    `at_once` of 0 means AT_ONCE. With a title, a terminal shows how many of the things are done. The first error ends it, and no
-    more work is begun.
+    """Does some work for each item, in threads, and returns the results in order. The first error ends it. AT_ONCE is the default
+    of `at_once`; with a title, a terminal shows how many items are done.
     """
     work_items = list(items)
     pool = ThreadPoolExecutor(at_once or AT_ONCE)

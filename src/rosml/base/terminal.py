@@ -51,8 +51,6 @@ def echo(text: str = "", err: bool = False, nl: bool = True) -> None:
 
 
 class _Shown:
-    """A stream that writes each text as `shown` makes it."""
-
     def __init__(self, stream: TextIO) -> None:
         self._stream = stream
 
@@ -66,7 +64,7 @@ class _Shown:
 def table(
     *columns: str, right: Collection[str] = (), wrapped: Collection[str] = (), whole: Collection[str] = ()
 ) -> Table:
-    """An empty table. Cells of the columns `wrapped` may take several lines; those of `whole` are never cut, however narrow the terminal."""
+    """Cells of the columns `wrapped` may take several lines; those of `whole` are never cut, however narrow the terminal is."""
     from rich.table import Table  # slow to import, and only needed here
 
     new = Table(box=None, header_style="bold", pad_edge=False)
@@ -81,10 +79,7 @@ def table(
 
 
 def console() -> Console:
-    """The console for tables. A row is one line, also if the output is no terminal and has no width.
-
-    All text is printed as it is: text from outside may have brackets, which rich would take for markup.
-    """
+    """The console for tables. A row is one line, also if the output has no width. Text may have brackets, which are no markup."""
     from rich.console import Console  # slow to import, and only needed here
 
     class Output(Console):
@@ -121,7 +116,6 @@ def _plain() -> bool:
 
 
 def width() -> int:
-    """The most characters of a line."""
     return WIDTH if _plain() else console().width
 
 
@@ -144,10 +138,7 @@ def show_rows(
     wrapped: Collection[str] = (),
     whole: Collection[str] = (),
 ) -> None:
-    """Prints a table without spaces at the ends of lines. The arguments are those of `table`.
-
-    rich takes a millisecond for each row, so it draws only what needs it: rows with a style, and tables that are wider than a line.
-    """
+    """Prints a table. rich takes a millisecond for each row, so it draws only rows with a style, and tables that are wider than a line."""
     wide = widths(columns, rows)
     if sum(wide) + 2 * (len(wide) - 1) > width() or not all(_is_simple(_text(cell)) for row in rows for cell in row):
         echo("".join(_drawn(table(*columns, right=right, wrapped=wrapped, whole=whole), rows)), nl=False)
@@ -175,7 +166,6 @@ def _is_simple(text: str) -> bool:
 
 
 def _drawn(empty: Table, rows: Iterable[Sequence[Cell]]) -> list[str]:
-    """The lines of a table with some rows."""
     from rich.text import Text  # slow to import, and only needed here
 
     for row in rows:
@@ -184,12 +174,11 @@ def _drawn(empty: Table, rows: Iterable[Sequence[Cell]]) -> list[str]:
 
 
 def show(table: Table) -> None:
-    """Prints a table without spaces at the ends of lines."""
     echo(_lines(table), nl=False)
 
 
 def _lines(table: Table) -> str:
-    """A table as rich draws it, without spaces at the ends of lines."""
+    """As rich draws it, without spaces at the ends of lines."""
     out = console()
     for column in table.columns:
         if column.overflow == "ignore":
@@ -206,10 +195,7 @@ _PADDING = re.compile(r" +((?:\x1b\[[0-9;]*m)*)$", re.MULTILINE)
 def obeying_no_color(
     function: Callable[Concatenate[click.Command, Parameters], int],
 ) -> Callable[Concatenate[click.Command, Parameters], int]:
-    """Decorates a function that runs a command: no colours if NO_COLOR is set (https://no-color.org).
-
-    rich, which prints tables, knows NO_COLOR; click only checks for a terminal.
-    """
+    """Decorates a function that runs a command. rich, which prints tables, knows https://no-color.org; click only checks for a terminal."""
 
     @functools.wraps(function)
     def run(main: click.Command, /, *arguments: Parameters.args, **options: Parameters.kwargs) -> int:

@@ -1,7 +1,4 @@
-"""Reads JSON, YAML and TOML from outside as plain data, with limits on size, depth and numbers.
-
-Models then check the data's shape. No other module parses JSON, YAML or TOML from outside.
-"""
+"""Reads JSON, YAML and TOML from outside as plain data, with limits. No other module parses them; models then check the data's shape."""
 
 from __future__ import annotations
 
@@ -44,9 +41,8 @@ def json_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK
     """The value of a JSON text of at most `limit` bytes. `what` is its name in messages.
 
     Raises:
-        RosmlError: the text is larger, has more than `VALUES` values, is nested deeper than `DEPTH`, or no JSON in UTF-8; it has a
-            number of more than `DIGITS` digits or too large for a float, the same key twice in an object, or half of a surrogate
-            pair.
+        RosmlError: it has more than `VALUES` values, is nested deeper than `DEPTH`, or no JSON in UTF-8; it has a number of more than
+            `DIGITS` digits or too large for a float, the same key twice in an object, or half of a surrogate pair.
     """
     try:
         return json_value(data, limit)
@@ -61,7 +57,7 @@ def json_value(data: bytes | str, limit: int = SIZE) -> Any:
 
 
 def json_object(data: bytes | str, limit: int = SIZE) -> dict[str, Any] | None:
-    """The object of a JSON text; None if it is no object, or if `json_value` refuses it."""
+    """None if the text is no object, or if `json_value` refuses it."""
     try:
         value = json_value(data, limit)
     except ValueError:
@@ -140,7 +136,6 @@ _DECODER = json.JSONDecoder(parse_int=_whole, parse_float=_fraction, parse_const
 
 
 def _require_shallow(values: list[Any]) -> None:
-    """Raises ValueError if values are nested too deep. Checks level by level."""
     level: list[Any] = [item for item in values if isinstance(item, (dict, list))]
     for _ in range(DEPTH + 1):
         if not level:
@@ -165,11 +160,7 @@ DOTTED = re.compile(r"""(?<![A-Za-z0-9_-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\
 
 
 def toml_value(text: str) -> dict[str, Any]:
-    """The value of a TOML text.
-
-    Raises:
-        ValueError: it is no TOML, has a key with too many parts, or is nested too deep.
-    """
+    """Raises ValueError for a key with too many parts, and values that are nested too deep."""
     import tomllib
 
     if DOTTED.search(text):
@@ -184,11 +175,11 @@ def toml_value(text: str) -> dict[str, Any]:
 
 
 def yaml_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK, exit_code: int = 1) -> Any:
-    """The value of a YAML text, from YAML's safe constructor. The text may have aliases. `what` is its name in messages.
+    """The value of a YAML text of at most `limit` bytes, from YAML's safe constructor. `what` is its name in messages.
 
     Raises:
-        RosmlError: the text is larger, nested deeper than `DEPTH`, or no YAML in UTF-8; its aliases make more than `NODES` values,
-            or lead into themselves; a value does not fit its type.
+        RosmlError: it is nested deeper than `DEPTH`, or no YAML in UTF-8; its aliases make more than `NODES` values, or lead into
+            themselves; a value does not fit its type.
     """
     import yaml
 
@@ -207,10 +198,7 @@ def yaml_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK
 
 
 def yaml_node(text: str, plain: bool = False) -> Any:
-    """The top node of a YAML text; None for an empty one. Raises yaml.YAMLError.
-
-    `plain`: the caller read all of `yaml_events`, and they have no anchor and no alias.
-    """
+    """The top node of a YAML text. `plain`: the caller read all of `yaml_events`, and they have no anchor and no alias."""
     import yaml
 
     if not plain:
@@ -219,11 +207,7 @@ def yaml_node(text: str, plain: bool = False) -> Any:
 
 
 def yaml_events(text: str) -> Iterator[Any]:
-    """The events of a YAML text, up to `DEPTH` levels. With some ten thousand levels, libyaml's compose ends the process.
-
-    Raises:
-        yaml.YAMLError: it is no YAML, nested too deep, or has too many values.
-    """
+    """The events of a YAML text, up to `DEPTH` levels. With some ten thousand levels, libyaml's compose ends the process."""
     import yaml
 
     depth = 0

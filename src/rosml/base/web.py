@@ -46,7 +46,7 @@ LONGEST = 600.0
 
 
 class Unfit(ValueError):
-    """A server's answer that we refuse. The message says why."""
+    pass
 
 
 class _NoCookies(CookieJar):
@@ -57,7 +57,7 @@ class _NoCookies(CookieJar):
 
 
 def client(**options: Any) -> httpx.Client:
-    """A client of httpx with the environment's proxies, for unpacked bodies, without cookies. Its default for `verify` is `trusted()`."""
+    """A client of httpx with the environment's proxies, for unpacked bodies, without cookies. `verify` is `trusted()` by default."""
     try:
         if "verify" not in options:  # plain http needs no certificates
             options["verify"] = trusted()
@@ -129,10 +129,9 @@ def origin(address: httpx.URL) -> tuple[str, str, int | None]:
 
 
 def followed(client: httpx.Client, request: httpx.Request, elsewhere: bool) -> httpx.Response:
-    """Sends a request, and follows its redirects if it only reads. `Authorization` goes to no other origin. It does not read the
-    answer's body.
+    """Sends a request, and follows its redirects if it only reads. `Authorization` goes to no other origin. Does not read the body.
 
-    `elsewhere`: follow redirects to other origins too. Otherwise such a redirect is the answer. Raises Unfit, httpx.HTTPError.
+    Unless `elsewhere` is set, a redirect to another origin is the answer. Raises Unfit and httpx.HTTPError.
     """
     answer = client.send(request, stream=True, follow_redirects=False)
     for _ in range(REDIRECTS):
@@ -168,7 +167,7 @@ def waited(attempt: int, seconds: float = 0.0) -> bool:
 
 
 def fetched(client: httpx.Client, url: str) -> httpx.Response:
-    """Asks for a file, again if the server is too busy or breaks off. It does not read the answer's body. Raises as `followed`."""
+    """Asks for a file, again if the server is too busy or breaks off. Does not read the body. Raises as `followed`."""
     attempt = 0
     while True:
         attempt += 1
@@ -184,12 +183,7 @@ def fetched(client: httpx.Client, url: str) -> httpx.Response:
 
 
 def read(answer: httpx.Response, limit: int) -> bytes:
-    """The whole body of an answer, as it was sent.
-
-    Raises:
-        Unfit: it has more than `limit` bytes, or takes longer than `LONGEST`.
-        httpx.HTTPError: it does not arrive.
-    """
+    """The whole body of an answer, as it was sent. Raises Unfit if it has more than `limit` bytes, or takes longer than `LONGEST`."""
     length = answer.headers.get("content-length", "")
     if length.isdecimal() and (len(length) > 18 or int(length) > limit) and answer.request.method != "HEAD":
         answer.close()

@@ -39,13 +39,9 @@ def require_no_triggers(settings: Settings | None, name: str) -> None:
 def configs(
     registry: Registry, repository: str, manifest: Manifest, name: str, architectures: Collection[str] = ()
 ) -> list[tuple[Platform | documents.Config, Config]]:
-    """The configs of the images that a builder may take, each with the platform that the index gives, or the config if there is none.
+    """The configs of the images that a builder may take, each with the platform of the index, or the config if there is none.
 
-    An index may list several images for a platform, or leave out what one is for. A builder may take any of them. Without
-    `architectures`, it may take all.
-
-    Raises:
-        RosmlError: an image has ONBUILD, or is no image (exit code 2).
+    An index may list several images for a platform, or leave out what one is for. `name` is the user's name of the image.
     """
     images: list[tuple[Platform | documents.Config, Config]] = []
     if not manifest.is_index:

@@ -1,7 +1,6 @@
 """Certificates of private authorities for registries, from the folders that Docker reads: `certs.d/<host>/*.crt`.
 
-`rosml setup` configures the builder with the same certificates. buildx, which asks for tokens, and trivy do
-not read these folders: they get a bundle with all certificates.
+`rosml setup` gives them to the builder. buildx and trivy do not read these folders: they get a bundle with all certificates.
 """
 
 from __future__ import annotations
@@ -26,7 +25,6 @@ def folders() -> list[Path]:
 
 
 def of(host: str) -> list[Path]:
-    """The files with the trusted authorities of a registry; none for most registries."""
     files: list[Path] = []
     for folder in folders():
         try:
@@ -37,7 +35,7 @@ def of(host: str) -> list[Path]:
 
 
 def by_host() -> dict[str, list[Path]]:
-    """The readable files of all registries."""
+    """As far as they are readable."""
     files_by_host: dict[str, list[Path]] = {}
     for file in [file for folder in folders() for file in sorted(folder.glob("*/*.crt"))]:
         if file.is_file() and os.access(file, os.R_OK):
@@ -64,7 +62,7 @@ def context(ca_bundle: str, authorities: list[Path]) -> ssl.SSLContext:
 
 
 def remedy(host: str, reason: str) -> str:
-    """The remedy if a certificate is not trusted, for a reason in the words of OpenSSL or Go."""
+    """The remedy for a reason in the words of OpenSSL or Go."""
     if "expired" in reason:
         return "its operator has to renew it; if it is new, check this machine's clock"
     if "not yet valid" in reason:

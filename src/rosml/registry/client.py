@@ -19,8 +19,7 @@ __all__ = ["BLOB_BYTES", "CONFIG_BYTES", "Registries", "Registry", "Undeletable"
 class Registry(Referrers):
     """One registry. Safe to share among threads; close it, or use it in a `with`.
 
-    If the registry does not answer, refuses, or sends what the specification does not allow, each method raises a
-    RosmlError with a remedy. `host` is as in references, such as `ghcr.io` or `127.0.0.1:5000`.
+    If the registry does not answer, refuses, or breaks the specification, each method raises a RosmlError with a remedy.
     """
 
     def __init__(

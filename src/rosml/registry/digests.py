@@ -18,7 +18,6 @@ def require_digest(digest: str) -> None:
 
 
 def verified(data: bytes, digest: str) -> bytes:
-    """Gives data that has a digest, or raises RosmlError."""
     return b"".join(verified_blocks([data], digest))
 
 

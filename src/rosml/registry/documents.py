@@ -1,7 +1,4 @@
-"""Models of what registries send, by the OCI specifications: manifests, indexes, configs and lists.
-
-Each model has the fields that this program reads. Further fields of a document stay in its content, and are passed on.
-"""
+"""Models of what registries send, by the OCI specifications, with the fields that this program reads."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ TOO_LONG = 120.0
 
 
 class Busy(RosmlError):
-    """The registry answered each time that it is busy."""
+    pass
 
 
 class Immutable(RosmlError):
@@ -83,7 +83,7 @@ class Limited(Transient):
 
 
 class Untrusted(Transient):
-    """The registry's certificate is not trusted. Another attempt does not help."""
+    """Another attempt does not help."""
 
 
 def pause(error: Transient, attempt: int, reached: bool = True) -> float | None:

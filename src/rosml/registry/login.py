@@ -29,7 +29,7 @@ TOKEN_BYTES = 256 << 10
 """Largest answer of a token server. A token has some thousand characters."""
 
 TOKEN_SECONDS = 60.0
-"""How long a token is used if its server does not say how long it is valid."""
+"""Used if the token server does not say how long a token is valid."""
 
 LONGEST = 86400.0
 """The most seconds that a token is kept."""
@@ -40,11 +40,7 @@ registry would deny thousands of reads at once. The time is short because anothe
 
 
 class Login:
-    """Authenticates the requests to one registry. Safe to share among threads.
-
-    Attributes:
-        credentials: None until the registry asks for them, or if there are none.
-    """
+    """`credentials` is None until the registry asks for them, or if there are none. Safe to share among threads."""
 
     def __init__(
         self, host: str, base: httpx.URL, client: httpx.Client, find: Callable[[str], Credentials | None]
@@ -113,13 +109,12 @@ class Login:
             self._denied.pop(scopes, None)
 
     def denied(self, action: str, answer: str) -> RosmlError:
-        """The error if the registry denies an action."""
         account = "with the account that is logged in" if self.credentials else "without an account"
         remedy = f"docker login {self.host}, with an account that has access; or check that the repository exists"
         return RosmlError(f"{self.host}: access denied: cannot {action} {account} ({answer})", remedy)
 
     def slower(self, seconds: float) -> str:
-        """The remedy if the registry says that there were too many requests, and asks for a wait; 0 if it does not."""
+        """The remedy for too many requests. `seconds` is the wait that the registry asks for, or 0."""
         wait = f"wait {duration(seconds)}, as it asks" if seconds > 0 else "wait some minutes"
         login = f", or log in, since accounts may ask more often: docker login {self.host}"
         return f"{wait}{'' if self.credentials else login}; then run it again, what is finished is kept"
@@ -129,11 +124,7 @@ class Login:
             return self._asking[scopes]
 
     def _kept(self, scopes: frozenset[str], refused: str) -> str:
-        """The header with the kept token for some scopes; empty if there is none, or it is no longer valid.
-
-        Raises:
-            Denied: the token server denied the scopes a moment ago.
-        """
+        """The header with the kept token for some scopes, or empty. Raises Denied if the token server denied them a moment ago."""
         with self._lock:
             token, end = self._tokens.get(scopes, ("", 0.0))
             denied, until = self._denied.get(scopes, (None, 0.0))
@@ -157,7 +148,7 @@ class Login:
         return realm
 
     def _token(self, demand: Challenge, scopes: frozenset[str]) -> tuple[str, float]:
-        """A Bearer token for some scopes, and how many seconds it is valid."""
+        """A Bearer token, and how many seconds it is valid."""
         realm, account = self._realm(demand), self.credentials
         fields = {"service": demand.service} if demand.service else {}
         with http_errors("asking for a token at", realm):

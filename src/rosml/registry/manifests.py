@@ -28,7 +28,7 @@ _ALLOW_DELETION = (
 
 
 class Undeletable(RosmlError):
-    """The registry deletes no manifest at all."""
+    pass
 
 
 class Manifests(Group):
@@ -37,7 +37,6 @@ class Manifests(Group):
         self._without_deletion: set[str] = set()  # repositories that refused to discard something
 
     def manifest(self, repository: str, reference: str) -> Manifest | None:
-        """The manifest of a tag or digest; None if there is none."""
         answer = self._get(repository, reference)
         if answer is None:
             return None
@@ -70,7 +69,6 @@ class Manifests(Group):
         return manifest.digest if manifest else ""
 
     def tags(self, repository: str) -> list[str]:
-        """All tags of a repository; none if there is no such repository."""
         pages = self.transport.pages(f"{repository}/tags/list?n=1000", repository, documents.Tags)
         return [tag for page in pages for tag in page.get("tags") or []]
 
@@ -83,10 +81,7 @@ class Manifests(Group):
     def _put(
         self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str
     ) -> tuple[str, httpx.Headers]:
-        """Puts a manifest; returns its digest, and the headers of the answer.
-
-        A registry with immutable tags also refuses the same content, which is no failure.
-        """
+        """Returns also the headers of the answer. A registry with immutable tags refuses the same content too, which is no failure."""
         data = content if isinstance(content, bytes) else encoded(content)
         digest = digest_of(data)
         path, headers = _path(repository, reference or digest), {"Content-Type": media_type}
@@ -111,21 +106,14 @@ class Manifests(Group):
         self.put_manifest(repository, name, answer.content, _media_type(answer) or IMAGE)
 
     def delete(self, repository: str, reference: str) -> None:
-        """Removes a manifest by its digest, and the tags that point at it; or only a tag, if the registry can do that.
-
-        Raises:
-            Undeletable: the registry deletes no manifests.
-        """
+        """Removes a manifest and the tags that point at it; or only a tag, if the registry can do that. Raises Undeletable."""
         if self._delete(repository, reference).status_code == 405:
             if not is_digest(reference):
                 raise RosmlError(f"{self.host} deletes no tag by its name", _ALLOW_DELETION)
             raise Undeletable(f"{self.host} deletes nothing", _ALLOW_DELETION)
 
     def discard(self, repository: str, digest: str) -> None:
-        """Removes a manifest that is out of use. If the registry cannot, the manifest stays, which is no error.
-
-        Many registries delete nothing. After a first refusal, this client does not ask again for that repository.
-        """
+        """Removes a manifest that is out of use, if the registry can. After a first refusal, it is not asked again for that repository."""
         if repository in self._without_deletion:
             return
         try:  # some registries answer 404 to all deletions; a busy registry is not worth a wait
@@ -153,6 +141,6 @@ def _path(repository: str, reference: str) -> str:
 
 
 def _media_type(answer: Answer) -> str:
-    """The media type of an answer; empty if there is none, or it is malformed."""
+    """Empty if there is none, or it is malformed."""
     media_type = answer.headers.get("content-type", "").partition(";")[0].strip()
     return media_type if re.fullmatch(MEDIA_TYPE, media_type) else ""

@@ -1,7 +1,4 @@
-"""Media types and descriptors of the OCI specifications, and manifests and configs as they were read.
-
-https://github.com/opencontainers/image-spec
-"""
+"""Media types, manifests and configs of the OCI specifications: https://github.com/opencontainers/image-spec"""
 
 from __future__ import annotations
 
@@ -62,9 +59,7 @@ def artifact(
 
 @dataclass(frozen=True)
 class Manifest:
-    """A manifest or index as a registry holds it. To read it, use the properties, which are checked and typed; `content` is for
-    passing it on. `size` is in bytes.
-    """
+    """A manifest or index. To read it, use the properties, which are checked and typed; `content` is for passing it on."""
 
     content: dict[str, Any]
     digest: str
@@ -89,7 +84,6 @@ class Manifest:
 
     @property
     def members(self) -> list[Descriptor]:
-        """The manifests that an index lists; none if this is an image."""
         return self._document.manifests or []
 
     @property
@@ -114,7 +108,6 @@ class Manifest:
 
     @property
     def artifact_type(self) -> str:
-        """Empty if this is an image."""
         return self._document.artifactType or ""
 
 

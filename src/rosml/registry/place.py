@@ -21,7 +21,7 @@ class Place:
 
     @classmethod
     def at(cls, text: str, ca_bundle: str = "") -> Place:
-        """The place of a text such as `ghcr.io/me/rosml`. This sends no request to the registry."""
+        """The place of a text such as `ghcr.io/me/rosml`. This sends no request."""
         host, _, prefix = text.rstrip("/").partition("/")
         if not references.is_place(host, prefix):
             scheme, mark, rest = text.partition("://")
@@ -34,7 +34,6 @@ class Place:
         return f"{self.prefix}/{repository}" if self.prefix else repository
 
     def reference(self, repository: str, digest: str = "") -> str:
-        """The reference of a repository with its registry, or of a manifest in it."""
         return f"{self.client.host}/{self.path(repository)}" + (f"@{digest}" if digest else "")
 
     def __str__(self) -> str:

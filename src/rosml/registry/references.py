@@ -60,7 +60,6 @@ def is_place(host: str, path: str) -> bool:
 
 
 GONE = "check its digest; the registry may have removed it: take the image's tag, or the digest that it has now"
-"""The remedy if there is no image with a digest."""
 
 
 def is_digest(reference: str) -> bool:

@@ -145,7 +145,6 @@ class Referrers(Manifests, Blobs):
         raise RosmlError(f"others keep writing {self.host}/{repository}:{tag}", "run it again")
 
     def _listed(self, repository: str, tag: str) -> tuple[str, list[Any]]:
-        """The digest of an index, empty if there is none; and its entries."""
         index = self.manifest(repository, tag)
         return (index.digest, list(index.content.get("manifests") or [])) if index else ("", [])
 

@@ -66,13 +66,8 @@ def scope(repository: str, actions: str) -> str:
 
 @dataclass(frozen=True)
 class Call:
-    """A request to a path below `/v2/`.
-
-    Attributes:
-        push: it writes.
-        more_scopes: rights that it needs in other repositories, or beyond reading and writing.
-        allow: statuses of answers that are no failure, besides those of success.
-        limit: the largest body of a success, in bytes.
+    """A request to a path below `/v2/`. It may need `more_scopes`; statuses in `allow` are no failure, as those of success; `limit` is
+    the largest body of a success, in bytes.
     """
 
     method: str
@@ -102,7 +97,6 @@ class Transport:
     def __init__(
         self, host: str, plain: bool | None, ca_bundle: str, credentials: Callable[[str], Credentials | None]
     ) -> None:
-        """The arguments are those of `Registry`."""
         self.host = host
         local = login.is_local(host)
         authorities = certificates.of(host)
@@ -166,11 +160,7 @@ class Transport:
             _LOG.warning("%s: taken for a repository that does not exist yet; this warning comes once", denied)
 
     def pages(self, path: str, repository: str, shape: type[Shape]) -> Iterator[dict[str, Any]]:
-        """All pages of a list; none if the registry has no such list.
-
-        Raises:
-            RosmlError: the list has no end, or continues on another host; or a page does not follow the specification.
-        """
+        """All pages of a list; none if the registry has no such list."""
         visited: set[str] = set()
         room = LIST_BYTES
         while path and path not in visited:  # if a page links to an earlier one, the list would never end
@@ -230,12 +220,7 @@ class Transport:
         return error.final(f"{self.host}: {error}", remedy)
 
     def attempt(self, call: Call, address: httpx.URL | None = None) -> Answer:
-        """Sends a request once, to an address if it is not that of its path.
-
-        Raises:
-            Transient: the next attempt may succeed.
-            RosmlError: it will not.
-        """
+        """Sends a request once, to an address if it is not that of its path. Raises Transient if the next attempt may succeed."""
         return self._judge(self.send(call, address), call)
 
     def send(self, call: Call, address: httpx.URL | None = None) -> Answer:
@@ -342,8 +327,6 @@ class Transport:
 
 
 class Group:
-    """Methods of a client over one transport."""
-
     def __init__(self, transport: Transport) -> None:
         self.transport = transport
         self.host = transport.host
