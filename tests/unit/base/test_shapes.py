@@ -17,7 +17,6 @@ from rosml.base.shapes import ENTRIES, ITEMS, Shape, adapter
 
 
 def shapes(kind: type[Shape] = Shape) -> Iterator[type[Shape]]:
-    """All models of documents, after all modules were imported."""
     for below in kind.__subclasses__():
         yield below
         yield from shapes(below)
@@ -28,14 +27,11 @@ for module in pkgutil.walk_packages(rosml.__path__, "rosml."):
         importlib.import_module(module.name)
 
 SHAPES = {f"{shape.__module__}.{shape.__name__}": shape for shape in shapes()}
-
-
 MOST = 100_000
 """Errors of a document: with what pydantic takes for them, less than 300 MB."""
 
 
 ITEM: dict[str, Any] = {}
-
 WIDE: dict[str, Any] = {
     "items": [ITEM] * (10 * ITEMS),
     "as many items as may be": [ITEM] * ITEMS,
@@ -56,11 +52,8 @@ def test_a_document_of_wrong_items_costs_little(name: str) -> None:
             assert error.error_count() <= MOST
 
 
-def test_there_are_documents() -> None:
-    """Among them those that registries send."""
-    assert {"rosml.registry.documents.Index", "rosml.images.join.facts.Facts", "rosml.containerize.lock.Lock"} <= {
-        *SHAPES
-    }
+def test_registries_send_documents() -> None:
+    assert "rosml.registry.documents.Index" in SHAPES
 
 
 class Item(Shape):

@@ -1,4 +1,4 @@
-"""Turns of calls in one checkout."""
+"""Processes that take turns."""
 
 from __future__ import annotations
 
@@ -20,16 +20,15 @@ def hold(file: Path, begun: Event, end: Event) -> None:
 
 @pytest.mark.parametrize("killed", [False, True])
 def test_one_after_the_other(tmp_path: Path, killed: bool) -> None:
-    """The second one says that it waits, and goes on when the first has ended, by itself or killed."""
     context = multiprocessing.get_context("fork")
     begun, end = context.Event(), context.Event()
     other = context.Process(target=hold, args=(tmp_path / "turns/ros1-bookworm-core", begun, end))
     other.start()
     assert begun.wait(20)
-    said: list[str] = []
+    notices: list[str] = []
 
     def waiting() -> None:
-        said.append("waits")
+        notices.append("waits")
         if killed:
             other.kill()
         else:
@@ -37,17 +36,16 @@ def test_one_after_the_other(tmp_path: Path, killed: bool) -> None:
 
     with turn(tmp_path / "turns/ros1-bookworm-core", waiting):
         other.join(20)
-    assert (said, other.exitcode) == (["waits"], -9 if killed else 0)
+    assert (notices, other.exitcode) == (["waits"], -9 if killed else 0)
 
 
 def test_nobody_to_wait_for(tmp_path: Path) -> None:
     for name in ("a", "b", "a"):
-        with turn(tmp_path / name, lambda: (_ for _ in ()).throw(AssertionError("waits"))):
+        with turn(tmp_path / name, lambda: pytest.fail("waits")):
             pass
 
 
 def test_a_lock_keeps_no_option(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its file stays, and others read it: a value of an option may be a secret."""
     monkeypatch.setattr(sys, "argv", ["rosml", "dev", "folder", "-e", "TOKEN=secret", "--", "colcon"])
     with turn(tmp_path / "lock", lambda: None):
         pass

@@ -2,36 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import pytest
 
 from rosml.base import units
 
 
-def test_size() -> None:
-    sizes = (0, 999, 1000, 1_234_567, 999_000_000, 3_612_345_678, 2_500_000_000_000)
-    assert [units.size(count) for count in sizes] == [
-        *("0 B", "999 B", "1.0 kB", "1.2 MB", "999.0 MB", "3.61 GB", "2500.00 GB")
-    ]
-
-
 @pytest.mark.parametrize(
-    ("seconds", "text"),
-    [(0, "0.0 s"), (3.14, "3.1 s"), (59.9, "59.9 s"), (60, "1 min 0 s"), (75.2, "1 min 15 s"), (119.6, "2 min 0 s")],
-)
-def test_duration(seconds: float, text: str) -> None:
-    assert units.duration(seconds) == text
-
-
-@pytest.mark.parametrize(
-    ("waited", "text"), [(0.4, "2 min 38 s"), (85, "2 min 38 s (1 min 25 s of it waiting for another build)")]
-)
-def test_time_taken(waited: float, text: str) -> None:
-    assert units.time_taken(158, waited) == text
-
-
-@pytest.mark.parametrize(
-    ("seconds", "text"),
-    [(-1, "in the future"), (9.9, "9 s ago"), (60, "1 minute ago"), (7199, "1 hour ago"), (200_000, "2 days ago")],
-)
-def test_ago(seconds: float, text: str) -> None:
-    assert units.ago(seconds) == text
+    ("function", "numbers", "texts"),
+    [
+        (units.size, (0, 999, 1000, 1_234_567, 3_612_345_678, 2_500_000_000_000),
+         ("0 B", "999 B", "1.0 kB", "1.2 MB", "3.61 GB", "2500.00 GB")),
+        (units.duration, (0, 59.9, 60, 75.2, 119.6), ("0.0 s", "59.9 s", "1 min 0 s", "1 min 15 s", "2 min 0 s")),
+        (units.ago, (-1, 9.9, 60, 7199, 200_000), ("in the future", "9 s ago", "1 minute ago", "1 hour ago", "2 days ago")),
+        (lambda wait: units.time_taken(158, wait), (0.4, 85),
+         ("2 min 38 s", "2 min 38 s (1 min 25 s of it waiting for another build)")),
+    ],
+    ids=["size", "duration", "ago", "time taken"],
+)  # fmt: skip
+def test_units(function: Callable[[float], str], numbers: tuple[float, ...], texts: tuple[str, ...]) -> None:
+    assert tuple(map(function, numbers)) == texts
