@@ -1,4 +1,4 @@
-"""A registry in this process, which does what the distribution API says, and goes wrong when a test tells it to."""
+"""A registry in this process, with the distribution API, and the faults that a test gives it."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ DROP = "drop"
 
 @dataclass
 class Fault:
-    """What goes wrong with requests of a method whose path matches, `times` times; with each path `each` times."""
+    """A failure of requests of a method whose path matches: `times` times, and `each` times with each path."""
 
     method: str
     path: str
@@ -42,17 +42,15 @@ class Fault:
 
 @dataclass
 class StandIn:
-    """What the registry holds and does.
+    """The content of the registry, and how it behaves.
 
     Attributes:
-        blobs: by repository and digest. manifests: by repository and digest, with the media type. tags: by repository.
-        mounts: whether it mounts. referrers: whether it has the referrers API. page: how many tags a page has.
-        hides: who denies to read in a repository that has no manifest yet, instead of saying so: "registry" or "token".
-        users: who may log in, by name; nobody has to if there are none. bearer: whether they need a token.
-        expires: seconds after which a token is refused. scoped: tokens are good only for what they were asked for.
-        deletes: whether it deletes. checks: whether it refuses a manifest whose parts it does not have. people: where a request for referrers is sent instead, if anywhere.
-        requests: all that came, as `METHOD path`. headers: of each.
-        answering: called with a request before its answer leaves, which was decided by then.
+        blobs, manifests: by repository and digest. tags: by repository. requests: as `METHOD path`.
+        referrers: it has the referrers API. people: where it redirects a request for referrers. page: tags on a page.
+        hides: who denies to read in a repository that has no manifest yet: "registry" or "token".
+        users: passwords by name; if there are none, anybody may do anything. scoped: tokens are good only for their scopes.
+        expires: seconds after which a token is refused. checks: it refuses a manifest whose parts it does not have.
+        answering: called with a request before its answer leaves, which is decided by then.
     """
 
     address: str = ""
@@ -83,11 +81,9 @@ class StandIn:
     answering: Callable[[str], object] = lambda request: None
 
     def fault(self, method: str, path: str, kind: int | str, times: int = 1, **more: Any) -> None:
-        """Tells it what to do wrong."""
         self.faults.append(Fault(method, path, kind, times, **more))
 
     def due(self, method: str, path: str) -> Fault | None:
-        """The fault that a request meets."""
         with self.lock:
             for fault in self.faults:
                 if fault.times and fault.method == method and re.search(fault.path, path):
@@ -98,11 +94,9 @@ class StandIn:
         return None
 
     def count(self, pattern: str) -> int:
-        """How many requests matched."""
         return sum(re.search(pattern, request) is not None for request in self.requests)
 
     def exists(self, repository: str) -> bool:
-        """Whether a repository has a manifest."""
         return any(where == repository for where, _ in list(self.manifests))
 
 
@@ -127,13 +121,10 @@ class _Handler(BaseHTTPRequestHandler):
             return
         if parts.path == "/token":
             self._token(body)
-        elif not self._known():
-            service = (
-                f'Bearer realm="{registry.realm or f"http://{registry.address}/token"}",service="local replacement"'
-            )
-            self._answer(
-                401, b"", {"WWW-Authenticate": service if registry.bearer else 'Basic realm="local replacement"'}
-            )
+        elif not self._authorized():
+            realm = registry.realm or f"http://{registry.address}/token"
+            challenge = f'Bearer realm="{realm}",service="x"' if registry.bearer else 'Basic realm="x"'
+            self._answer(401, b"", {"WWW-Authenticate": challenge})
         else:
             self._api(parts.path, query, body)
 
@@ -147,12 +138,11 @@ class _Handler(BaseHTTPRequestHandler):
         self.send_header("Content-Length", str(len(body)))
         self.end_headers()
         if self.command != "HEAD":
-            with suppress(ConnectionError):  # who asked may have read enough
+            with suppress(ConnectionError):  # the client may have read enough
                 self.wfile.write(body)
                 self.wfile.flush()
 
-    def _known(self) -> bool:
-        """Whether the request says who asks."""
+    def _authorized(self) -> bool:
         registry, header = self.registry, self.headers.get("Authorization", "")
         if not registry.users and not registry.bearer:
             return True
@@ -161,14 +151,14 @@ class _Handler(BaseHTTPRequestHandler):
             return kind == "Basic" and self._user(secret) is not None
         if secret not in registry.tokens or time.monotonic() > registry.ends.get(secret, math.inf):
             return False
-        found = re.match(r"/v2/(.+)/(?:manifests|blobs|tags|referrers)/", self.path)
-        if not registry.scoped or not found:
+        target = re.match(r"/v2/(.+)/(?:manifests|blobs|tags|referrers)/", self.path)
+        if not registry.scoped or not target:
             return True
         action = "pull" if self.command in ("GET", "HEAD") else "delete" if self.command == "DELETE" else "push"
         if "/uploads/" in self.path:
             action = "push"
         allowed = re.findall(r"repository:(\S+):(\S+)", registry.tokens[secret])
-        return any(name == found[1] and action in actions.split(",") for name, actions in allowed)
+        return any(name == target[1] and action in actions.split(",") for name, actions in allowed)
 
     def _user(self, secret: str) -> str | None:
         name, _, password = base64.b64decode(secret).decode().partition(":")
@@ -197,14 +187,14 @@ class _Handler(BaseHTTPRequestHandler):
         self._answer(200, json.dumps({"token": token, "expires_in": 300}).encode())
 
     def _api(self, path: str, query: dict[str, str], body: bytes) -> None:
-        if found := re.fullmatch(r"/v2/(.+)/(manifests|blobs|tags|referrers)/(.+)", path):
-            reads = self.command in ("GET", "HEAD") and not found[3].startswith("uploads/")
-            if reads and self.registry.hides == "registry" and not self.registry.exists(found[1]):
+        if match := re.fullmatch(r"/v2/(.+)/(manifests|blobs|tags|referrers)/(.+)", path):
+            reads = self.command in ("GET", "HEAD") and not match[3].startswith("uploads/")
+            if reads and self.registry.hides == "registry" and not self.registry.exists(match[1]):
                 self._answer(403, DENIED)
                 return
-            getattr(self, f"_{found[2]}")(found[1], found[3], query, body)
-        elif found := re.fullmatch(r"/v2/(.+)/blobs/uploads/?", path):
-            self._blobs(found[1], "uploads/", query, body)
+            getattr(self, f"_{match[2]}")(match[1], match[3], query, body)
+        elif match := re.fullmatch(r"/v2/(.+)/blobs/uploads/?", path):
+            self._blobs(match[1], "uploads/", query, body)
         else:
             self._answer(200 if path == "/v2/" else 404)
 
@@ -236,8 +226,8 @@ class _Handler(BaseHTTPRequestHandler):
         if self.command == "PUT":
             digest = digest_of(body)
             if unknown := registry.checks and self._unknown(repository, json.loads(body)):
-                said = {"code": "MANIFEST_BLOB_UNKNOWN", "message": "blob unknown to registry", "detail": unknown}
-                self._answer(404, encoded({"errors": [said]}))
+                problem = {"code": "MANIFEST_BLOB_UNKNOWN", "message": "blob unknown to registry", "detail": unknown}
+                self._answer(404, encoded({"errors": [problem]}))
                 return
             registry.manifests[repository, digest] = (self.headers["Content-Type"], body)
             if not name.startswith("sha256:"):
@@ -250,8 +240,8 @@ class _Handler(BaseHTTPRequestHandler):
             self._answer(405, b'{"errors": [{"code": "UNSUPPORTED"}]}')
             return
         digest = tags.get(name, name)
-        found = registry.manifests.get((repository, digest))
-        if found is None:
+        stored = registry.manifests.get((repository, digest))
+        if stored is None:
             self._answer(404, b'{"errors": [{"code": "MANIFEST_UNKNOWN", "message": "manifest unknown"}]}')
         elif self.command == "DELETE" and name in tags:
             del tags[name]
@@ -261,7 +251,7 @@ class _Handler(BaseHTTPRequestHandler):
             registry.tags[repository] = {tag: value for tag, value in tags.items() if value != digest}
             self._answer(202)
         else:
-            self._answer(200, found[1], {"Content-Type": found[0], "Docker-Content-Digest": digest})
+            self._answer(200, stored[1], {"Content-Type": stored[0], "Docker-Content-Digest": digest})
 
     def _unknown(self, repository: str, content: dict[str, Any]) -> list[str]:
         """What a manifest names that is not in its repository, as far as registries look."""
@@ -303,7 +293,7 @@ class _Handler(BaseHTTPRequestHandler):
 
 @contextmanager
 def standing_in(tls: ssl.SSLContext | None = None) -> Iterator[StandIn]:
-    """A registry that answers as long as this; over TLS where there is a context for it."""
+    """A registry that answers as long as this, over TLS if there is a context."""
     registry = StandIn()
     handler = type("Handler", (_Handler,), {"registry": registry})
     with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
