@@ -17,7 +17,6 @@ else:
     import backports.zstd as _zstd
 
 zstd = _zstd
-"""The standard library's module of that name, or what stands for it before Python 3.14."""
 
 HEADER_BYTES = 1 << 20
 """The largest header before an entry: a long name or an extended header. tarfile reads it whole."""
@@ -164,8 +163,7 @@ def file_of_zip(source: IO[bytes], pattern: str, limit: int) -> bytes:
 
 
 class Entry(tarfile.TarInfo):
-    """A tar entry that raises an error if it is damaged, or if its header has more than HEADER_BYTES or is made to take hours. tarfile
-    itself takes a damaged entry for the end. Give this class to `tarfile.open` as `tarinfo`."""
+    """The `tarinfo` for `tarfile.open`: a damaged entry, or one with a header that takes hours, is an error, not the archive's end."""
 
     @classmethod
     def fromtarfile(cls, archive: tarfile.TarFile) -> Self:
@@ -214,7 +212,7 @@ def _require_records(data: bytes) -> None:
 
 
 class _Read:
-    """Gives a piece that was read already, and then makes way for the file itself."""
+    """Gives a piece that was read already, then makes way for the file."""
 
     def __init__(self, archive: tarfile.TarFile, under: Any, data: bytes) -> None:
         self._archive, self._under, self._data = archive, under, data

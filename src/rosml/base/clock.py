@@ -32,13 +32,9 @@ def is_ahead(date: str, clock: str) -> bool:
 
 
 def require_not_ahead(date: str, clock: str) -> None:
-    """Raises RosmlError if the date of a run that begins now is in the future: no run before that date could move the same tags."""
     if is_ahead(date, clock):
-        raise RosmlError(
-            f"the run's date {date} is in the future (it is {clock}): no run before that date could move its tags",
-            "correct the date, or this machine's clock; --force takes it anyway",
-            exit_code=2,
-        )
+        text = f"the run's date {date} is in the future (it is {clock}): no run before that date could move its tags"
+        raise RosmlError(text, "correct the date, or this machine's clock; --force takes it anyway", exit_code=2)
 
 
 def now() -> str:

@@ -76,9 +76,8 @@ def whole(file: Path) -> Iterator[BinaryIO]:
                 os.fsync(descriptor)
                 if unnamed:
                     Path(name).unlink(missing_ok=True)
-                    os.link(
-                        f"/proc/self/fd/{descriptor}", name, src_dir_fd=descriptor
-                    )  # with it, linkat follows the link
+                    # With src_dir_fd, linkat follows the link.
+                    os.link(f"/proc/self/fd/{descriptor}", name, src_dir_fd=descriptor)
             os.replace(name, real)
             folder = os.open(real.parent, os.O_RDONLY)
             try:

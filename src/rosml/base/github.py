@@ -9,10 +9,8 @@ from pathlib import Path
 
 from rosml.base.terminal import shown
 
-SUMMARY = "GITHUB_STEP_SUMMARY"
-"""Names of variables that name files."""
-
-OUTPUT = "GITHUB_OUTPUT"
+SUMMARY, OUTPUT = "GITHUB_STEP_SUMMARY", "GITHUB_OUTPUT"
+"""The variables that name the files to append to."""
 
 
 def summary(text: str) -> None:

@@ -13,13 +13,12 @@ if TYPE_CHECKING:
     from pydantic import ValidationError
 
 KeyPath = tuple[str | int, ...]
-"""Keys, and indexes of lists, from a file's top to a value."""
 
 SHOWN = 50
 """How many problems one message spells out; a broken file can hold thousands."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, order=True)
 class Problem:
     """One problem. `line` and `column` count from 1; `path` is empty if the whole file is meant."""
 
@@ -38,9 +37,7 @@ class InputError(RosmlError):
     """All problems of a file, in its order. The exit code is 2."""
 
     def __init__(self, file: str, problems: Iterable[Problem]) -> None:
-        self.problems = tuple(
-            sorted(set(problems), key=lambda problem: (problem.line, problem.column, problem.path, problem.text))
-        )
+        self.problems = tuple(sorted(set(problems)))
         lines = [problem.message(file) for problem in self.problems[:SHOWN]]
         if len(self.problems) > SHOWN:
             lines.append(f"{file}: and more; the first {SHOWN} problems are shown")
@@ -49,13 +46,9 @@ class InputError(RosmlError):
 
 def dotted(path: KeyPath, start: str = "") -> str:
     """A path for people: `distributions.jazzy.components[2]`, after what it starts with."""
-    text = start
     for step in path:
-        if isinstance(step, int):
-            text += f"[{step}]"
-        else:
-            text += f".{step}" if text else step
-    return text
+        start += f"[{step}]" if isinstance(step, int) else f".{step}" if start else step
+    return start
 
 
 def first_of(error: ValidationError) -> str:
@@ -98,5 +91,4 @@ def near(name: str, names: Iterable[str]) -> str:
 
 def unknown(kind: str, name: str, names: Iterable[str]) -> str:
     """The sentence about an unknown name: `no stack named 'cu129'; did you mean 'cu128'?`."""
-    names = list(names)
     return "; ".join(part for part in (f"no {kind} named {name!r}", near(name, names)) if part)

@@ -27,11 +27,7 @@ def parse_pin(go_mod: str) -> Pin:
             raise ValueError("no tool line, and not one module that is required directly")
         return Pin(".", direct[0])
     package = tool[1]
-    modules = [
-        (module, version)
-        for module, version, _indirect in required
-        if package == module or package.startswith(f"{module}/")
-    ]
+    modules = [(module, version) for module, version, _ in required if f"{package}/".startswith(f"{module}/")]
     if not modules:
         raise ValueError(f"no module provides {package}")
     return Pin(package, max(modules)[1])

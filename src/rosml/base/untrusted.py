@@ -34,9 +34,6 @@ EVENTS = 100_000
 CHECK = "check where it is from"
 
 
-# ---- JSON ------------------------------------------------------------------------------------------------------------
-
-
 def json_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK, exit_code: int = 1) -> Any:
     """The value of a JSON text of at most `limit` bytes. `what` is its name in messages.
 
@@ -153,8 +150,6 @@ def _is_unicode(value: Any) -> bool:
     return True
 
 
-# ---- TOML ------------------------------------------------------------------------------------------------------------
-
 DOTTED = re.compile(r"""(?<![A-Za-z0-9_-])(?:(?:[A-Za-z0-9_-]++|"[^"\n]*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+){20}""")
 """A key with too many parts. tomllib takes a gigabyte and seconds for one of 32 kB."""
 
@@ -169,9 +164,6 @@ def toml_value(text: str) -> dict[str, Any]:
         return tomllib.loads(text)
     except RecursionError:
         raise ValueError(_DEEP) from None
-
-
-# ---- YAML ------------------------------------------------------------------------------------------------------------
 
 
 def yaml_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK, exit_code: int = 1) -> Any:

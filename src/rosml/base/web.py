@@ -31,7 +31,6 @@ REDIRECTS = 5
 EXCERPT = 64 << 10
 """The largest part that is read of an error or a redirect."""
 
-
 BUSY = (429, 500, 502, 503, 504)
 """Status codes of answers that may differ a moment later."""
 
@@ -46,7 +45,7 @@ LONGEST = 600.0
 
 
 class Unfit(ValueError):
-    pass
+    """A server's answer that we refuse. The message says why."""
 
 
 class _NoCookies(CookieJar):
@@ -69,9 +68,8 @@ def client(**options: Any) -> httpx.Client:
         raise RosmlError(text, "name proxies as http://host:port or https://host:port", exit_code=2) from None
     except OSError as error:
         name = os.environ.get("SSL_CERT_FILE", "")
-        raise RosmlError(
-            f"SSL_CERT_FILE={name}: {error.strerror or error}", "let it name certificates in PEM", exit_code=2
-        ) from None
+        text = f"SSL_CERT_FILE={name}: {error.strerror or error}"
+        raise RosmlError(text, "let it name certificates in PEM", exit_code=2) from None
 
 
 def is_here(address: str) -> bool:
@@ -89,18 +87,13 @@ def is_here(address: str) -> bool:
 
 
 def trusted() -> ssl.SSLContext:
-    """TLS' authorities: those of SSL_CERT_FILE or SSL_CERT_DIR, by default the usual ones. All clients share the context, so do not
-    change it: reading hundreds of certificates takes 50 ms, more than most requests. Raises OSError.
-    """
+    """TLS' authorities. All clients share the context: reading hundreds of certificates takes 50 ms, more than most requests."""
     return _trusted(os.environ.get("SSL_CERT_FILE", ""), os.environ.get("SSL_CERT_DIR", ""))
 
 
 @functools.cache
 def _trusted(_file: str, _folder: str) -> ssl.SSLContext:
     return httpx.create_ssl_context()
-
-
-# ---- Answers ---------------------------------------------------------------------------------------------------------
 
 
 def joined(base: httpx.URL, text: str) -> httpx.URL:

@@ -61,10 +61,7 @@ def configs(
 def _may_be_taken(platform: Platform, architectures: Collection[str]) -> bool:
     if platform.os == "unknown":  # an attestation of buildx
         return False
-    architecture = platform.architecture or ""
-    return (
-        not architectures
-        or not architecture
-        or architecture in architectures
-        or FALLBACKS.get(architecture) in architectures
-    )
+    architecture = platform.architecture
+    if not architectures or not architecture:
+        return True
+    return architecture in architectures or FALLBACKS.get(architecture) in architectures

@@ -109,9 +109,8 @@ def http_errors(method: str, address: httpx.URL) -> Iterator[None]:
             raise Untrusted(f"its certificate is not trusted: {reason}") from None
         connected = not isinstance(error, httpx.ConnectError | httpx.ConnectTimeout)
         raise Transient(f"{method} {address.path}: {error or type(error).__name__}", connected=connected) from None
-    except (ValueError, httpx.InvalidURL, httpx.TooManyRedirects) as error:
-        what = "redirects without end" if isinstance(error, httpx.TooManyRedirects) else type(error).__name__
-        raise unfit(method, address, str(error) if isinstance(error, web.Unfit) else what) from None
+    except (ValueError, httpx.InvalidURL) as error:
+        raise unfit(method, address, str(error) if isinstance(error, web.Unfit) else type(error).__name__) from None
 
 
 def unfit(method: str, address: httpx.URL, why: str) -> RosmlError:

@@ -376,7 +376,7 @@ def test_random_answers(server: Hostile, tmp_path: Path) -> None:
         image = client.manifest("a", "x")
         return image and (image.layers, image.members, image.annotations, client.config("a", image))
 
-    asks = [*ASKS.values(), config, lambda _: app_base.find(f"{server.address}/a:x", here, ("linux/amd64",))]
+    asks: list[Ask] = [*ASKS.values(), config, lambda _: app_base.find(f"{server.address}/a:x", here, ("linux/amd64",))]
     readable = 0
     for seed in range(200):
         random = Random(seed)

@@ -70,12 +70,7 @@ ANSWERING = f'test "$1" = get || exit 1; read -r server; echo "$server" >>"$0.se
 
 
 @pytest.mark.parametrize("key", ["credHelpers", "credsStore"])
-def test_credential_helper(
-    stand_in: StandIn,
-    registry: Registry,
-    folder: Path,
-    key: str,
-) -> None:
+def test_credential_helper(stand_in: StandIn, registry: Registry, folder: Path, key: str) -> None:
     stand_in.users = {NAME: SECRET}
     configure(folder, **{key: {stand_in.address: "keychain"} if key == "credHelpers" else "keychain"})
     executable(folder / HELPER, ANSWERING)
