@@ -13,7 +13,6 @@ from pydantic import ValidationError
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of, listed
-from rosml.base.shapes import Shape
 from rosml.registry.documents import Errors
 from rosml.registry.failures import without_query
 
@@ -58,15 +57,6 @@ def codes(answer: Answer) -> set[str]:
     return {error.code for error in _errors(answer).errors}
 
 
-def misfit(content: object, shape: type[Shape]) -> str:
-    """The first problem of content that has not the form of the specification; empty if it has."""
-    try:
-        shape.model_validate(content)
-    except ValidationError as error:
-        return first_of(error)
-    return ""
-
-
 def _errors(answer: Answer) -> Errors:
     try:
         return Errors.model_validate(untrusted.json_object(answer.content, web.EXCERPT) or {})
@@ -75,13 +65,11 @@ def _errors(answer: Answer) -> Errors:
 
 
 def json_object(host: str, answer: Answer) -> dict[str, Any]:
-    """The JSON object of an answer."""
+    content, why = None, "it is another value"
     try:
         content = untrusted.json_value(answer.content)
     except ValueError as error:
-        content, why = None, str(error)
-    else:
-        why = "it is another value"
+        why = str(error)
     if not isinstance(content, dict):
         raise RosmlError(
             f"{host}: the answer to GET {without_query(answer.url)} is no JSON object, so no registry gave it: {why}",

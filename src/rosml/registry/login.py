@@ -14,6 +14,7 @@ from collections import defaultdict
 from collections.abc import Callable
 
 import httpx
+from pydantic import ValidationError
 
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
@@ -176,10 +177,10 @@ class Login:
         return self._read(answer)
 
     def _read(self, answer: Answer) -> tuple[str, float]:
-        content = untrusted.json_object(answer.content, TOKEN_BYTES)
-        if content is None or answers.misfit(content, Token):
-            raise failures.unfit("GET", answer.url, "its answer is not that of a token server")
-        document = Token.model_validate(content)
+        try:
+            document = Token.model_validate(untrusted.json_object(answer.content, TOKEN_BYTES))
+        except ValidationError:
+            raise failures.unfit("GET", answer.url, "its answer is not that of a token server") from None
         token, seconds = document.token or document.access_token or "", document.expires_in
         if not re.fullmatch(r"[\x21-\x7e]+", token):
             text = f"{self.host} asks for a token, but gave none that can be sent"

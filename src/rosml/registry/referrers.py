@@ -10,9 +10,11 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 from urllib.parse import urlencode
 
+from pydantic import ValidationError
+
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
-from rosml.registry import answers, documents, failures, oci
+from rosml.registry import documents, failures, oci
 from rosml.registry.blobs import Blobs
 from rosml.registry.failures import Busy
 from rosml.registry.manifests import Manifests
@@ -53,9 +55,9 @@ class Referrers(Manifests, Blobs):
         if self._has_api is None:
             try:
                 answer = self.transport.ask(Call("GET", path, repository, allow=_SETTLED))
-                content = untrusted.json_object(answer.content) if answer.status_code == 200 else None
-                is_index = content is not None and not answers.misfit(content, documents.Referrers)
-            except Busy:
+                documents.Referrers.model_validate(untrusted.json_object(answer.content))
+                is_index = answer.status_code == 200
+            except (Busy, ValidationError):
                 is_index = False
             with self._lock:  # if an artifact was attached meanwhile, that answer counts
                 self._has_api = self._has_api or is_index

@@ -8,6 +8,7 @@ import json
 import math
 import re
 import ssl
+import sys
 import threading
 import time
 from collections import Counter
@@ -291,16 +292,23 @@ class _Handler(BaseHTTPRequestHandler):
         pass
 
 
+class _Server(ThreadingHTTPServer):
+    daemon_threads = True
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        if not isinstance(sys.exc_info()[1], ssl.SSLError | ConnectionError):  # a client may hang up
+            super().handle_error(request, client_address)
+
+
 @contextmanager
 def standing_in(tls: ssl.SSLContext | None = None) -> Iterator[StandIn]:
     """A registry that answers as long as this, over TLS if there is a context."""
     registry = StandIn()
     handler = type("Handler", (_Handler,), {"registry": registry})
-    with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+    with _Server(("127.0.0.1", 0), handler) as server:
         registry.address = f"127.0.0.1:{server.server_port}"
         if tls:
             server.socket = tls.wrap_socket(server.socket, server_side=True, do_handshake_on_connect=False)
-        server.daemon_threads = True
         threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
         yield registry
         server.shutdown()

@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import datetime
 import ssl
-import threading
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 import pytest
 import trustme
 
+from fakes.http_registry import standing_in
 from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.machine import trust
@@ -39,33 +38,13 @@ def put(folder: Path, host: str, authority: trustme.CA, name: str = "ca.crt") ->
 
 
 @contextmanager
-def tls(authority: trustme.CA, folder: Path, name: str = "127.0.0.1", valid: int = 1) -> Iterator[str]:
-    """The address of a server with TLS that has no manifest."""
-
-    class Handler(BaseHTTPRequestHandler):
-        def do_HEAD(self) -> None:
-            self.send_response(404)
-            self.send_header("Content-Length", "0")
-            self.end_headers()
-
-        def log_message(self, format: str, *args: object) -> None:
-            pass
-
+def tls(authority: trustme.CA, name: str = "127.0.0.1", valid: int = 1) -> Iterator[str]:
+    """The address of an empty registry, whose certificate is valid for some more days."""
     leaf = authority.issue_cert(name, not_before=NOW - 3 * DAY, not_after=NOW + valid * DAY)
     context = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
     leaf.configure_cert(context)
-
-    class Server(ThreadingHTTPServer):
-        daemon_threads = True
-
-        def handle_error(self, *_: object) -> None:
-            pass  # a client that hangs up is what these tests are about
-
-    with Server(("127.0.0.1", 0), Handler) as server:
-        server.socket = context.wrap_socket(server.socket, server_side=True, do_handshake_on_connect=False)
-        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
-        yield f"127.0.0.1:{server.server_port}"
-        server.shutdown()
+    with standing_in(context) as server:
+        yield server.address
 
 
 def test_setup_and_client_have_the_same(docker: Path, tmp_path: Path) -> None:
@@ -84,9 +63,9 @@ def test_setup_and_client_have_the_same(docker: Path, tmp_path: Path) -> None:
     assert Registry("127.0.0.1:5002").transport.base.scheme == "http"
 
 
-def test_an_authority_is_trusted_for_its_registry(docker: Path, tmp_path: Path) -> None:
+def test_an_authority_is_trusted_for_its_registry(docker: Path) -> None:
     authority = trustme.CA()
-    with tls(authority, tmp_path) as host, tls(authority, tmp_path) as other:
+    with tls(authority) as host, tls(authority) as other:
         put(docker, host, authority)
         put(docker, other, trustme.CA())
         with Registry(host) as client:
@@ -101,12 +80,12 @@ def test_an_authority_is_trusted_for_its_registry(docker: Path, tmp_path: Path) 
     [("127.0.0.1", -1, "its operator has to renew it"), ("other.example", 1, "by a name that its certificate has")],
 )
 def test_a_certificate_that_is_wrong_is_tried_once(
-    docker: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str, valid: int, remedy: str
+    docker: Path, monkeypatch: pytest.MonkeyPatch, name: str, valid: int, remedy: str
 ) -> None:
     pauses: list[float] = []  # before further attempts
     monkeypatch.setattr(time, "sleep", pauses.append)
     authority = trustme.CA()
-    with tls(authority, tmp_path, name, valid) as host:
+    with tls(authority, name, valid) as host:
         put(docker, host, authority)
         with Registry(host) as client, pytest.raises(RosmlError, match=r"^(?!.*(_ssl\.c|CERTIFICATE))") as caught:
             client.head("a", "x")
