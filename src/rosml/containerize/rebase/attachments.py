@@ -143,7 +143,7 @@ class Attachments:
                     self._registry(place), place.repository, place.reference, registry, repository
                 )
             ]
-            registry.attach(repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE, more=below)
+            registry.attach_with_layers(repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE, below)
         if with_sbom and sbom.MEDIA_TYPE not in present:
             data = self.new_sbom(app, base, f"{host}/{repository}@{subject['digest']}")
             registry.attach(repository, subject, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
