@@ -11,18 +11,15 @@ user decides what is done with their rights and secrets.
 from __future__ import annotations
 
 import contextlib
-import functools
-import os
 import re
 import shlex
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import Field, dataclass, field, fields
 from pathlib import Path
 from typing import Any
 
-from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.containerize import within
+from rosml.containerize import env_file
 
 YES, NO, UNPUSHED, WITH_SECRET = (
     "yes",
@@ -39,12 +36,11 @@ class Input:
     """An input.
 
     Attributes:
-        name: its name as an option of the command and an input of the action, such as `base-image`.
+        name: an option of the command and an input of the action, such as `base-image`.
         help: its meaning, in one clause.
-        default: its default value.
-        flag: it is `true` or `false`.
+        flag: whether it is `true` or `false`.
         gone: for inputs of docker-ros that are not used here: the reason, which we print.
-        in_repository: whether the file `.env` of a repository may set it: YES, NO, UNPUSHED or WITH_SECRET.
+        in_repository: whether `.env` may set it: YES, NO, UNPUSHED or WITH_SECRET.
     """
 
     name: str
@@ -56,24 +52,17 @@ class Input:
 
     @property
     def variable(self) -> str:
-        """Its name as a variable, such as `BASE_IMAGE`."""
         return self.name.upper().replace("-", "_")
-
-
-def _gone(name: str, why: str) -> Input:
-    return Input(name, gone=why)
 
 
 _RECURSIVE = "take every file of that name in the repository and its upstream sources"
 
 
 def _text(help: str, default: str = "", in_repository: str = YES) -> Any:
-    """A field with a text. The arguments are those of `Input`."""
     return field(default=default, metadata={"help": help, "in_repository": in_repository})
 
 
 def _flag(help: str, default: bool = False, in_repository: str = YES) -> Any:
-    """A field that is true or false."""
     return field(default=default, metadata={"help": help, "in_repository": in_repository})
 
 
@@ -170,34 +159,36 @@ class Values:
     git_ssh_private_key: str = _text("key for private repositories over ssh; name it in the environment")
     git_ssh_known_host_keys: str = _text("what ssh-keyscan says of their servers", in_repository=WITH_SECRET)
 
-    def named(self, name: str) -> str:
+    def text(self, name: str) -> str:
         """The text of an input, by its name, such as `dev-image-tag`."""
-        value = getattr(self, name.replace("-", "_"))
-        return str(value).lower() if isinstance(value, bool) else str(value)
+        return _text_of(getattr(self, name.replace("-", "_")))
+
+
+def _text_of(value: Any) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def _input(item: Field[Any]) -> Input:
-    flag = isinstance(item.default, bool)
-    default = str(item.default).lower() if flag else str(item.default)
-    return Input(item.name.replace("_", "-"), default=default, flag=flag, **item.metadata)
+    name = item.name.replace("_", "-")
+    return Input(name, default=_text_of(item.default), flag=isinstance(item.default, bool), **item.metadata)
 
 
-TABLE = (
-    *map(_input, fields(Values)),
-    _gone("custom-script-file", "it is after-dependency-installation-script"),
-    _gone("slim-build-args", "no program is watched to find out what an image needs"),
-    _gone("additional-slim-build-args", "no program is watched to find out what an image needs"),
-    _gone(
-        "enable-industrial-ci",
-        "tests run here without it; its ROSDEP_SKIP_KEYS, NOT_TEST_BUILD, CMAKE_ARGS and DOWNSTREAM_WORKSPACE count",
-    ),
-    _gone(
-        "buildx-attestations",
-        "an SBOM is attached to images, and is not in them, so that the same sources have the same digest",
-    ),
-    _gone("docker-ros-git-ref", "the version of rosml decides"),
-)
+_USED = tuple(map(_input, fields(Values)))
+
+_UNUSED = {
+    "custom-script-file": "it is after-dependency-installation-script",
+    "slim-build-args": "no program is watched to find out what an image needs",
+    "additional-slim-build-args": "no program is watched to find out what an image needs",
+    "enable-industrial-ci": "tests run here without it; its ROSDEP_SKIP_KEYS, NOT_TEST_BUILD, CMAKE_ARGS and"
+    " DOWNSTREAM_WORKSPACE count",
+    "buildx-attestations": "an SBOM is attached to images, and is not in them, so that the same sources have the same digest",
+    "docker-ros-git-ref": "the version of rosml decides",
+}
+
+TABLE = (*_USED, *(Input(name, gone=reason) for name, reason in _UNUSED.items()))
 """All inputs, in the order of their documentation."""
+
+_BY_NAME = {item.name: item for item in _USED}
 
 SECRET = ("git-https-password", "git-ssh-private-key")
 """Inputs that are no options, because other users of the machine can see command lines."""
@@ -205,13 +196,13 @@ SECRET = ("git-https-password", "git-ssh-private-key")
 _SECRET_OF = {"git-https-server": "git-https-password", "git-ssh-known-host-keys": "git-ssh-private-key"}
 """For inputs that name servers: the secret that these get."""
 
-_IMAGE = Input("image", in_repository=UNPUSHED)
+_IMAGE = "IMAGE"
 """The run image with its tag, as in docker-ros' local script: image-name and image-tag in one."""
 
 _INDUSTRIAL_CI = ("ROSDEP_SKIP_KEYS", "NOT_TEST_BUILD")
 """Variables of industrial_ci with another name here. Those with the same name count anyway."""
 
-FILE = ".env"
+FILE = env_file.NAME
 
 _PATTERNS = {
     "ros-distro": ("[a-z][a-z0-9]*|Debian", "name one, such as jazzy"),
@@ -224,70 +215,63 @@ _PIECE = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*)"|\\(.)|([^\s'"\\]+)""", re.
 
 
 def default(name: str) -> str:
-    """The default of an input of the table."""
-    return next(item.default for item in TABLE if item.name == name)
+    return _BY_NAME[name].default
 
 
-def values(given: Mapping[str, str | None], folder: Path, environment: Mapping[str, str]) -> Values:
+def values(typed: Mapping[str, str | None], folder: Path, environment: Mapping[str, str]) -> Values:
     """The values of all inputs.
 
     Args:
-        given: values of the command line; None if an input is not given.
+        typed: values of the command line; None if an input is not typed.
         folder: the repository, which may have `.env`.
-        environment: the variables of the process.
-
-    Raises:
-        RosmlError: `.env` cannot be read, or sets an input that it may not set; or a value is wrong (exit code 2).
     """
-    variables = read_env(folder / FILE)
-    line = {name: value for name, value in given.items() if value is not None}
-    both = line.keys().isdisjoint(("image-name", "image-tag"))  # if one of them is typed, the other one has its default
-    of_repository = _said(_of_industrial_ci(environment, variables) | variables, both)
-    of_person = _said(environment, both) | line
-    found: dict[str, str] = {}
-    for item in TABLE:
-        if item.gone:
-            continue
-        value = of_person.get(item.name, of_repository.get(item.name, item.default))
-        if item.flag:
-            value = value.lower()
-            if value not in ("true", "false"):
-                raise RosmlError(f"{item.name} is true or false, not {value!r}", f"check {item.variable}", exit_code=2)
-        _require_possible(item.name, value)
-        found[item.name] = value
-    for name in (name for name in of_repository if name not in of_person):
-        _require_allowed(name, found, of_person, folder / FILE, variables)
-    flags = {item.name for item in TABLE if item.flag}
-    said: dict[str, Any] = {name: text == "true" if name in flags else text for name, text in found.items()}
-    return Values(**{name.replace("-", "_"): value for name, value in said.items()})
+    file = folder / FILE
+    variables = env_file.read(file)
+    options = {name: value for name, value in typed.items() if value is not None}
+    # If one of them is typed, the other one has its default.
+    splits_image = options.keys().isdisjoint(("image-name", "image-tag"))
+    of_repository = _by_name(_of_industrial_ci(environment, variables) | variables, splits_image)
+    of_person = _by_name(environment, splits_image) | options
+    texts = {
+        item.name: _checked(item, of_person.get(item.name, of_repository.get(item.name, item.default)))
+        for item in _USED
+    }
+    for name in of_repository:
+        if name not in of_person:
+            _require_allowed(_BY_NAME[name], texts, of_person, file, variables)
+    return Values(**{name.replace("-", "_"): _value(_BY_NAME[name], text) for name, text in texts.items()})
 
 
-def first_look(name: str, given: Mapping[str, str], folder: Path, environment: Mapping[str, str]) -> str:
-    """The text of one input before any is checked; `.env` says nothing if it cannot be read. The arguments are those of `values`."""
-    variable = next(item.variable for item in TABLE if item.name == name)
-    in_file: dict[str, str] = {}
+def _value(item: Input, text: str) -> Any:
+    return text == "true" if item.flag else text
+
+
+def first_look(name: str, typed: Mapping[str, str], folder: Path, environment: Mapping[str, str]) -> str:
+    """The text of one input before any is checked. A `.env` that cannot be read does not count."""
+    item = _BY_NAME[name]
+    variables: dict[str, str] = {}
     with contextlib.suppress(RosmlError):
-        in_file = read_env(folder / FILE)
-    return given.get(name) or environment.get(variable) or in_file.get(variable) or default(name)
+        variables = env_file.read(folder / FILE)
+    return typed.get(name) or environment.get(item.variable) or variables.get(item.variable) or item.default
 
 
-def _said(variables: Mapping[str, str], image: bool) -> dict[str, str]:
-    """The inputs that variables set, by name. Empty variables do not count.
+def _by_name(variables: Mapping[str, str], splits_image: bool) -> dict[str, str]:
+    """The inputs that variables set. Empty variables do not count.
 
     Args:
-        image: `IMAGE` counts, before the variables for its name and its tag.
+        splits_image: whether `IMAGE` counts, before the variables for its name and its tag.
     """
-    found = {item.name: text for item in TABLE if not item.gone and (text := variables.get(item.variable, ""))}
-    if image and (named := variables.get(_IMAGE.variable, "")):
-        name, colon, tag = named.rpartition(":")
+    texts = {item.name: text for item in _USED if (text := variables.get(item.variable, ""))}
+    if splits_image and (image := variables.get(_IMAGE, "")):
+        name, colon, tag = image.rpartition(":")
         if not colon or "/" in tag:
-            name, tag = named, ""
-        found |= {"image-name": name} | ({"image-tag": tag} if tag else {})
-    return found
+            name, tag = image, ""
+        texts |= {"image-name": name} | ({"image-tag": tag} if tag else {})
+    return texts
 
 
 def _require_allowed(
-    name: str, values: Mapping[str, str], of_person: Mapping[str, str], file: Path, variables: Mapping[str, str]
+    item: Input, values: Mapping[str, str], of_person: Mapping[str, str], file: Path, variables: Mapping[str, str]
 ) -> None:
     """Checks that a repository may set an input.
 
@@ -295,63 +279,51 @@ def _require_allowed(
         values: the values of all inputs.
         of_person: the values from the user.
         variables: the variables of the repository's file.
-
-    Raises:
-        RosmlError: it may not (exit code 2).
     """
-    item = next(item for item in TABLE if item.name == name)
-    secret = _SECRET_OF.get(name, "")
+    value, secret = values[item.name], _SECRET_OF.get(item.name, "")
     allowed = {
         YES: True,
         NO: False,
-        UNPUSHED: values["push"] == "false" and not ("/" in values[name] and name.endswith("-name")),
+        UNPUSHED: values["push"] == "false" and not ("/" in value and item.name.endswith("-name")),
         WITH_SECRET: not (secret in of_person and values[secret]),
     }
-    if allowed[item.in_repository] or values[name] == item.default:
+    if allowed[item.in_repository] or value == item.default:
         return
-    variable = item.variable if item.variable in variables else _IMAGE.variable
-    option = f"--{name}" if item.flag else f"--{name} {shlex.quote(values[name])}"
-    text = f"{file}:{_line_of(file, variable)}: {variable} is not for a repository to say"
+    variable = item.variable if item.variable in variables else _IMAGE
+    text = f"{file}:{env_file.line_of(file, variable)}: {variable} is not for a repository to say"
     if secret:
-        text += f": {secret.upper().replace('-', '_')} is yours, and goes to servers that you name"
+        text += f": {_BY_NAME[secret].variable} is yours, and goes to servers that you name"
     elif values["push"] == "true":
         text += ", as the images are pushed"
     elif item.in_repository == UNPUSHED:
         text += ", as it names a place of its own: a name without / is enough here"
+    option = f"--{item.name}" if item.flag else f"--{item.name} {shlex.quote(value)}"
     raise RosmlError(text, f"if you want it, type {option}; or remove the line", exit_code=2)
-
-
-def _line_of(file: Path, variable: str) -> int:
-    """The last line of a file that sets a variable."""
-    lines = file.read_text("utf-8-sig").split("\n")
-    pattern = re.compile(rf"\s*(export\s+)?{variable}=")
-    return max((number for number, line in enumerate(lines, 1) if pattern.match(line)), default=1)
 
 
 def _of_industrial_ci(environment: Mapping[str, str], file: Mapping[str, str]) -> dict[str, str]:
     """The variables of industrial_ci, by our names, if the user has switched it on."""
-    given = {**file, **environment}
-    if given.get("ENABLE_INDUSTRIAL_CI", "").lower() != "true":
+    variables = {**file, **environment}
+    if variables.get("ENABLE_INDUSTRIAL_CI", "").lower() != "true":
         return {}
-    found = {"SKIP_KEYS": given.get("ROSDEP_SKIP_KEYS", "")}
-    if given.get("NOT_TEST_BUILD", "").lower() == "true":
-        found["TESTS"] = "false"
-    return found
+    tests = {"TESTS": "false"} if variables.get("NOT_TEST_BUILD", "").lower() == "true" else {}
+    return {"SKIP_KEYS": variables.get("ROSDEP_SKIP_KEYS", ""), **tests}
 
 
-def _require_possible(name: str, value: str) -> None:
-    """Checks a value that becomes words of a shell, or part of a package name.
-
-    Raises:
-        RosmlError: it cannot (exit code 2).
-    """
-    if name in ("cmake-args", "colcon-args"):
+def _checked(item: Input, value: str) -> str:
+    """A value, which may become words of a shell, or part of a package name."""
+    if item.flag:
+        if value.lower() not in ("true", "false"):
+            raise RosmlError(f"{item.name} is true or false, not {value!r}", f"check {item.variable}", exit_code=2)
+        return value.lower()
+    if item.name in ("cmake-args", "colcon-args"):
         problem, remedy = _problem_of_words(value), "write it as a shell reads it, such as -DNAME='a;b'"
     else:
-        pattern, remedy = _PATTERNS.get(name, ("(?s:.*)", ""))
+        pattern, remedy = _PATTERNS.get(item.name, ("(?s:.*)", ""))
         problem = "" if not value or re.fullmatch(pattern, value) else "that is none"
     if problem:
-        raise RosmlError(f"{name}: {value!r}: {problem}", remedy, exit_code=2)
+        raise RosmlError(f"{item.name}: {value!r}: {problem}", remedy, exit_code=2)
+    return value
 
 
 def _problem_of_words(text: str) -> str:
@@ -365,137 +337,17 @@ def _problem_of_words(text: str) -> str:
         if piece is None:
             return "its quotation has no end"
         begins = place == 0 or text[place - 1].isspace()
-        if found := re.search(r"^#|[;|&()<>`]" if begins else "[;|&()<>`]", piece[4] or ""):
-            return f"{found[0]} needs quotes"
+        if special := re.search(r"^#|[;|&()<>`]" if begins else "[;|&()<>`]", piece[4] or ""):
+            return f"{special[0]} needs quotes"
         place = piece.end()
     return ""
 
 
 def answers(folder: Path, environment: Mapping[str, str]) -> Iterator[str]:
     """A sentence for each set variable that has no effect: an input of docker-ros, or an unknown name in the file."""
-    file = read_env(folder / FILE)
+    variables = env_file.read(folder / FILE)
     for item in TABLE:
-        if item.gone and (environment.get(item.variable) or file.get(item.variable)):
+        if item.gone and (environment.get(item.variable) or variables.get(item.variable)):
             yield f"{item.variable} is not used: {item.gone}"
-    known = {item.variable for item in (*TABLE, _IMAGE)} | {*_INDUSTRIAL_CI}
-    yield from (f"{name} in {FILE} is not used: there is no such input" for name in file if name not in known)
-
-
-def read_env(file: Path) -> dict[str, str]:
-    """The variables in a file of `NAME=VALUE` lines, as a shell reads them, without running or expanding anything.
-
-    Raises:
-        RosmlError: it cannot be read; or a line has another form, or would need a shell (exit code 2).
-    """
-    content = files.regular(file, LARGEST_ENV)
-    if content is None:
-        return {}
-    try:
-        text = content.decode("utf-8-sig").replace("\r\n", "\n")
-    except UnicodeDecodeError:
-        raise RosmlError(f"{file} is not UTF-8", "save it as UTF-8", exit_code=2) from None
-    if "\0" in text:
-        raise RosmlError(f"{file}: it has a NUL character", "write lines of NAME='value' into it", exit_code=2)
-    found: dict[str, str] = {}
-    place = 0
-    while (place := _NOTHING.match(text, place).end()) < len(text):  # type: ignore[union-attr] # it matches anywhere
-        refusal = functools.partial(_damaged, file, text, place)
-        begun = _BEGIN.match(text, place)
-        if not begun:
-            raise refusal("it is not NAME=VALUE")
-        found[begun[1]], place = _unquoted(text, begun.end(), refusal)
-    return found
-
-
-LARGEST_TEXT = 1 << 20
-"""The most bytes of a list or a script of a repository."""
-
-LARGEST_ENV = 256 << 10
-"""The most bytes of a file of variables."""
-
-# No possessive group, such as (…)*+: up to Python 3.11.4 it may end too early.
-_NOTHING = re.compile(r"(?:[ \t\n]+|(?<![^ \t\n])#[^\n]*)*")
-"""Blanks, empty lines, and comments."""
-
-_BEGIN = re.compile(r"(?:export[ \t]+)?([A-Za-z_][A-Za-z0-9_]*)=")
-
-_PART = re.compile(r"""'([^']*)'|"([^"\\]*(?:\\.[^"\\]*)*)"|\\(.)|([^ \t\n'"\\]++)""", re.DOTALL)
-"""A piece of a value. A shell's only blanks are spaces, tabs and line ends."""
-
-
-def _damaged(file: Path, text: str, place: int, why: str) -> RosmlError:
-    line = text.count("\n", 0, place) + 1
-    return RosmlError(f"{file}:{line}: {why}", "write NAME='value'", exit_code=2)
-
-
-def _unquoted(text: str, place: int, refusal: Callable[[str], RosmlError]) -> tuple[str, int]:
-    """The value of a variable that begins at a place, as a shell reads it, and its end.
-
-    Raises:
-        RosmlError: a quotation has no end, or a shell would expand the value.
-    """
-    pieces: list[str] = []
-    while place < len(text) and text[place] not in " \t\n":
-        piece = _PART.match(text, place)
-        if piece is None:
-            raise refusal("its quotation has no end")
-        single, double, escaped, bare = piece.groups()
-        if re.search(r"(?<!\\)(\\\\)*(\$[A-Za-z_{(]|`)", double or bare or ""):
-            raise refusal("a shell would expand it: put the value into single quotes")
-        if double is not None:
-            pieces.append(re.sub(r"\\([$`\"\\\n])", lambda found: found[1].strip("\n"), double))
-        elif escaped != "\n":  # an escaped line end joins two lines
-            pieces.append(single or escaped or bare or "")
-        place = piece.end()
-    end = text.find("\n", place)
-    end = len(text) if end < 0 else end
-    rest = text[place:end].strip(" \t")
-    if rest and not rest.startswith("#"):
-        raise refusal("a value with blanks needs quotes")
-    return "".join(pieces), end
-
-
-def text_of(folder: Path, name: str, recursive: bool, roots: tuple[Path, ...]) -> str:
-    """The text of a file of the repository, or of all files of that name; empty if there is none.
-
-    Args:
-        folder: the repository.
-        name: the file's path in it.
-        recursive: every file of that name below the roots counts.
-        roots: the repository and its upstream sources.
-
-    Raises:
-        RosmlError: a file cannot be read, is no file, or leads out of its repository (exit code 2).
-    """
-    found = [(folder / name, folder)]
-    if recursive:
-        found = [(path, root) for root in roots for path in _called(os.path.basename(name), root)]
-    texts = []
-    for path, root in found:
-        if not within.there(path, root):
-            continue
-        try:
-            content = files.limited(path, LARGEST_TEXT)
-            if len(content) > LARGEST_TEXT:
-                raise RosmlError(f"{path} has more than {LARGEST_TEXT >> 20} MiB", "check the file", exit_code=2)
-            texts.append(content.decode().replace("\r\n", "\n"))
-        except (OSError, UnicodeDecodeError) as error:
-            reason = error.strerror if isinstance(error, OSError) else "not UTF-8"
-            raise RosmlError(f"cannot read {path}: {reason}", "check the file", exit_code=2) from None
-    return "".join(text if text.endswith("\n") or not text else f"{text}\n" for text in texts)
-
-
-def _called(name: str, root: Path) -> list[Path]:
-    """All files and folders of a name below a folder, also broken links, without those of git."""
-    found = []
-    for path, folders, names in os.walk(root):
-        folders[:] = [below for below in folders if below != ".git"]
-        if name in folders or name in names:
-            found.append(Path(path, name))
-    return sorted(found)
-
-
-def lines_of(text: str) -> list[str]:
-    """The lines of a list, without comments and empty ones."""
-    stripped = ((re.sub(r"(^|\s)#.*", "", line) if "#" in line else line).strip() for line in text.split("\n"))
-    return [line for line in stripped if line]
+    names = {item.variable for item in TABLE} | {_IMAGE, *_INDUSTRIAL_CI}
+    yield from (f"{name} in {FILE} is not used: there is no such input" for name in variables if name not in names)

@@ -18,16 +18,13 @@ from pydantic import AfterValidator, ConfigDict, Field, StringConstraints, Valid
 from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.shapes import Shape
-from rosml.containerize import inputs as app_inputs
-from rosml.containerize import within
+from rosml.containerize import inputs, within
 
 SUFFIX = ".lock"
-
 RENEW = "renew the lock file with --lock"
 
 FOLDER = "lock"
 """The folder in the requests: for each architecture it has a folder with the lists `apt` and `pip`."""
-
 
 Digest = Annotated[str, StringConstraints(pattern=r"^sha256:[0-9a-f]{64}$")]
 Name = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9._:/-]{1,300}$")]
@@ -37,11 +34,7 @@ Version = Annotated[str, StringConstraints(pattern=r"^[A-Za-z0-9][A-Za-z0-9.+:~-
 
 
 def _without_secrets(line: str) -> str:
-    """Checks that a requirement's address has no user and no query, which may be a password. The user of ssh is allowed.
-
-    Raises:
-        ValueError: the address has one.
-    """
+    """Refuses an address with a user or a query, either of which may be a password. The user of ssh is allowed."""
     address = line.partition(" @ ")[2].partition("#")[0]
     scheme, _, rest = address.partition("://")
     if "?" in address or ("@" in rest.partition("/")[0] and not scheme.endswith("ssh")):
@@ -57,8 +50,7 @@ Requirement = Annotated[
 
 
 class Image(Shape):
-    """A base image, or rosdep's lists: the name as the user wrote it, and the digest. The name is empty if the user gave
-    none."""
+    """A base image, or rosdep's lists. The name is as the user wrote it; empty if the user gave none."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -66,14 +58,10 @@ class Image(Shape):
     digest: Digest
 
     def of(self, name: str) -> str:
-        """The digest, if the user names this image.
-
-        Raises:
-            RosmlError: the user names another image (exit code 2).
-        """
+        """The digest, if the user names this image."""
         if self.name != name:
-            known, named = self.name or "none of that name", name or "none of that name"
-            raise RosmlError(f"the lock file is of {known}, and not of {named}", RENEW, exit_code=2)
+            names = [text or "none of that name" for text in (self.name, name)]
+            raise RosmlError(f"the lock file is of {names[0]}, and not of {names[1]}", RENEW, exit_code=2)
         return self.digest
 
 
@@ -113,15 +101,12 @@ class Lock(Packages):
     downstream: dict[str, Pin] = {}
 
     def text(self) -> str:
-        """The file."""
-        return json.dumps(self._content(), indent=1, sort_keys=True) + "\n"
+        return json.dumps(self.model_dump(exclude_none=True), indent=1, sort_keys=True) + "\n"
 
     def line(self) -> str:
         """The lock in one line, for a label: without inputs that are in no image."""
-        return json.dumps(self._content({"downstream"}), separators=(",", ":"), sort_keys=True)
-
-    def _content(self, without: set[str] | None = None) -> dict[str, Any]:
-        return self.model_dump(exclude_none=True, exclude=without)
+        content = self.model_dump(exclude_none=True, exclude={"downstream"})
+        return json.dumps(content, separators=(",", ":"), sort_keys=True)
 
     def with_other_architectures(self, other: Lock) -> Lock:
         """This lock with the packages of another one for other architectures, if both have the same images and repositories."""
@@ -146,49 +131,42 @@ class Lock(Packages):
 
 
 def added(apps: Iterable[Mapping[str, Any]]) -> Packages:
-    """The added packages in reports of builds. If there are two versions, as an archive may change meanwhile, the first counts.
+    """The added packages in reports of builds. An archive may change meanwhile: of two versions, the first counts.
 
     Args:
         apps: the reports of each image and platform, with `architecture`, `apt` and `pip`.
     """
-    found = Packages()
+    packages = Packages()
     for app in apps:
-        name = app["architecture"]
-        found.apt[name] = {**app["apt"], **found.apt.get(name, {})}
-        known = {re.split("[ =]", line, maxsplit=1)[0]: line for line in [*app["pip"], *found.pip.get(name, [])]}
-        found.pip[name] = sorted(known.values())
-    return found
+        architecture = app["architecture"]
+        packages.apt[architecture] = {**app["apt"], **packages.apt.get(architecture, {})}
+        lines = [*app["pip"], *packages.pip.get(architecture, [])]
+        by_name = {re.split("[ =]", line, maxsplit=1)[0]: line for line in lines}
+        packages.pip[architecture] = sorted(by_name.values())
+    return packages
 
 
 def place(folder: Path, name: str, renew: bool) -> Path:
-    """The path of a repository's lock file.
+    """The path of a repository's lock file, which need not exist.
 
     Args:
-        name: its name as the user wrote it.
-        renew: it will be written.
-
-    Raises:
-        RosmlError: it leads out of the repository; or the user named one that is missing, or cannot be there (exit code 2).
+        renew: whether it will be written.
     """
     file = Path(os.path.normpath(folder / name))
-    there = within.there(file, folder)
+    exists = within.exists(file, folder)
     if not name.endswith(SUFFIX):  # --lock overwrites it
         raise RosmlError(f"lock-file: {name} does not end in {SUFFIX}", "name it so", exit_code=2)
-    within.require_own(file, folder)
+    within.require_inside(file, folder)
     if renew and not file.parent.is_dir():
         raise RosmlError(f"lock-file: there is no folder {file.parent}", "make it, or name another file", exit_code=2)
-    if not (renew or there or name == app_inputs.default("lock-file")):
+    if not (renew or exists or name == inputs.default("lock-file")):
         raise RosmlError(f"lock-file: there is no file {file}", "check its name, or write it with --lock", exit_code=2)
     return file
 
 
 def read(file: Path, folder: Path) -> Lock | None:
-    """The lock file of a repository; None if it has none.
-
-    Raises:
-        RosmlError: it cannot be read, is damaged, or leads out of the repository (exit code 2).
-    """
-    if not within.there(file, folder):
+    """The lock file of a repository; None if it has none."""
+    if not within.exists(file, folder):
         return None
     try:
         return Lock.model_validate(untrusted.json_value(files.limited(file, untrusted.SIZE)))

@@ -14,17 +14,15 @@ from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import references
 
 TARGETS = ("run", "dev")
-"""The images of an app: one to run it, and one to work on it."""
 
-TAKEN = (NAMESPACE, "library")
+RESERVED = (NAMESPACE, "library")
 """First parts of names that other images have in the local registry: our base images, and those of Docker Hub."""
 
 SLIM = "slim"
 """The image to run the app on a base image without compilers. It comes with the run image."""
 
-
 DESK = "desk"
-"""The image for `rosml dev`. It is in no other place than this machine's."""
+"""The image for `rosml dev`. It stays on this machine."""
 
 
 class Names:
@@ -33,11 +31,7 @@ class Names:
     Attributes:
         app: the name of the run image, without its tag.
         targets: the images to build.
-        platforms: their platforms.
         loads: whether images go to Docker, and to no registry.
-
-    Raises:
-        RosmlError: a value is wrong, or there is no place for the images (exit code 2).
     """
 
     def __init__(self, values: Values, folder: str, services: Services) -> None:
@@ -53,11 +47,11 @@ class Names:
 
     def reference(self, target: str) -> str:
         """The full name of an image, with its tag."""
-        values = self._values
-        name, tag = self.app, values.image_tag
+        name, tag = self.app, self._values.image_tag
         if target not in (DESK, "run"):
-            name = _name(values.named(f"{target}-image-name")) if values.named(f"{target}-image-name") else name
-            tag = values.named(f"{target}-image-tag") or f"{tag}-{target}"
+            own_name = self._values.text(f"{target}-image-name")
+            name = _name(own_name) if own_name else name
+            tag = self._values.text(f"{target}-image-tag") or f"{tag}-{target}"
         if not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,127}", tag):
             raise RosmlError(f"{tag!r} is no tag of an image", "take letters, digits, points and hyphens", exit_code=2)
         local = f"{self._registry}/" if self._registry and not self.loads and not references.has_registry(name) else ""
@@ -65,23 +59,23 @@ class Names:
 
     def tags(self, target: str) -> list[str]:
         """All full names that an image gets."""
-        found = [self.reference(target)]
-        if self._values.enable_push_as_latest:
-            latest = "latest" if target == "run" else f"latest-{target}"
-            found.append(f"{found[0].rpartition(':')[0]}:{latest}")
-        return list(dict.fromkeys(found))
+        reference = self.reference(target)
+        if not self._values.enable_push_as_latest:
+            return [reference]
+        latest = "latest" if target == "run" else f"latest-{target}"
+        return list(dict.fromkeys([reference, f"{reference.rpartition(':')[0]}:{latest}"]))
 
     @functools.cached_property
     def loading(self) -> str:
         """The builder's output to Docker. Docker before 23 cannot read zstd layers, which base images have."""
         command = ["docker", "version", "--format", "{{.Server.Version}}"]
         try:
-            said = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False).stdout
+            done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
         except OSError:
-            said = ""
-        major = re.match(r"(\d+)\.", said)
-        old = major is not None and int(major[1]) < 23
-        return "type=docker" + (",compression=uncompressed,force-compression=true" if old else "")
+            return "type=docker"
+        major = re.match(r"(\d+)\.", done.stdout)
+        reads_zstd = major is None or int(major[1]) >= 23
+        return "type=docker" + ("" if reads_zstd else ",compression=uncompressed,force-compression=true")
 
     def _require_place(self) -> None:
         names = [self.reference(target).rpartition(":")[0] for target in self.targets]
@@ -93,7 +87,7 @@ class Names:
             raise RosmlError("Docker holds images of one platform", "name one platform, or add --push", exit_code=2)
         elif not self.loads:
             for name in names:
-                if name.startswith(tuple(f"{self._registry}/{taken}/" for taken in TAKEN)):
+                if name.startswith(tuple(f"{self._registry}/{first}/" for first in RESERVED)):
                     text = f"{name} is no name for an app: base images are called so in the local registry"
                     raise RosmlError(text, "choose another --image-name", exit_code=2)
                 if not name.startswith(f"{self._registry}/"):
@@ -107,13 +101,11 @@ def listed(text: str) -> list[str]:
 
 
 def _targets(text: str) -> tuple[str, ...]:
-    found = listed(text)
-    for word in found:
-        if word not in TARGETS:
-            raise RosmlError(f"{word!r} is no target", f"there are: {', '.join(TARGETS)}", exit_code=2)
-    if not found:
-        raise RosmlError("no target is named", f"there are: {', '.join(TARGETS)}", exit_code=2)
-    return tuple(name for name in TARGETS if name in found)
+    words = listed(text)
+    wrong = [f"{word!r} is no target" for word in words if word not in TARGETS]
+    if wrong or not words:
+        raise RosmlError((wrong or ["no target is named"])[0], f"there are: {', '.join(TARGETS)}", exit_code=2)
+    return tuple(name for name in TARGETS if name in words)
 
 
 def listed_platforms(text: str) -> tuple[str, ...]:

@@ -11,12 +11,8 @@ SECRET = (".git", ".env")
 """Files and folders that stay on the user's machine, at any depth of a repository."""
 
 
-def require_own(path: Path, root: Path) -> None:
-    """Checks that a path, with its links followed, stays in the repository. It need not exist.
-
-    Raises:
-        RosmlError: it leads out of the repository, or to a secret (exit code 2).
-    """
+def require_inside(path: Path, root: Path) -> None:
+    """Checks that a path, with its links followed, stays in the repository. It need not exist."""
     real, top = Path(os.path.realpath(path)), os.path.realpath(root)
     if not real.is_relative_to(top):
         raise RosmlError(f"{path} leads out of {root}", "put what it names into the repository", exit_code=2)
@@ -25,25 +21,20 @@ def require_own(path: Path, root: Path) -> None:
         raise RosmlError(text, "name another file", exit_code=2)
 
 
-def is_own(path: Path, root: Path) -> bool:
+def is_inside(path: Path, root: Path) -> bool:
     """Whether a path leads to a file or folder of the repository that is not secret."""
     try:
-        require_own(path, root)
+        require_inside(path, root)
     except RosmlError:
         return False
     return True
 
 
-def there(path: Path, root: Path, folder: bool = False) -> bool:
-    """Whether a repository has a file, or a folder, at a path.
-
-    Raises:
-        RosmlError: the path leads out of the repository, to a secret or to nothing, or is a folder instead of a file, or the
-            other way round (exit code 2).
-    """
+def exists(path: Path, root: Path, folder: bool = False) -> bool:
+    """Whether a repository has a file, or a folder, at a path. If it leads elsewhere, or is of another kind, that is an error."""
     if not os.path.lexists(path):
         return False
-    require_own(path, root)
+    require_inside(path, root)
     if not path.exists():
         raise RosmlError(f"{path}: a link to nothing", "correct the link, or remove it", exit_code=2)
     if not path.is_dir() and not path.is_file():

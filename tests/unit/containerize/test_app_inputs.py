@@ -9,7 +9,9 @@ from pathlib import Path
 import pytest
 
 from rosml.base.errors import RosmlError
+from rosml.containerize import env_file
 from rosml.containerize import inputs as app_inputs
+from rosml.containerize.packages import workspace
 
 
 def test_the_command_line_wins_over_the_environment_and_that_over_the_file(tmp_path: Path) -> None:
@@ -59,7 +61,7 @@ def test_a_value_that_a_step_could_not_use_is_refused(given: dict[str, str], say
 
 def test_a_file_of_variables_may_begin_with_a_byte_order_mark(tmp_path: Path) -> None:
     (tmp_path / ".env").write_bytes("COMMAND=ros2\n".encode("utf-8-sig"))
-    assert app_inputs.read_env(tmp_path / ".env") == {"COMMAND": "ros2"}
+    assert env_file.read(tmp_path / ".env") == {"COMMAND": "ros2"}
 
 
 def test_image_and_tag_may_be_one_variable(tmp_path: Path) -> None:
@@ -133,10 +135,10 @@ def test_what_a_repository_may_say_counts(
     """And what a person says in its place is no error."""
     (tmp_path / ".env").write_text(f"{text}\n")
     found = app_inputs.values(given, tmp_path, environment)
-    file = app_inputs.read_env(tmp_path / ".env")
+    file = env_file.read(tmp_path / ".env")
     for item in app_inputs.TABLE:
         told = given.get(item.name) or environment.get(item.variable) or file.get(item.variable)
-        assert not told or item.gone or found.named(item.name) == told
+        assert not told or item.gone or found.text(item.name) == told
 
 
 @pytest.mark.parametrize(
@@ -164,14 +166,14 @@ def test_what_a_repository_may_say_counts(
 )
 def test_a_file_of_variables_is_read_as_a_shell_reads_it(line: str, value: str, tmp_path: Path) -> None:
     (tmp_path / ".env").write_text(f"\n{line}\n")
-    assert app_inputs.read_env(tmp_path / ".env") == {"COMMAND": value}
+    assert env_file.read(tmp_path / ".env") == {"COMMAND": value}
     shell = ["sh", "-c", '. ./.env; printf %s "$COMMAND"']
     assert subprocess.run(shell, cwd=tmp_path, capture_output=True, check=True).stdout.decode() == value
 
 
 def test_a_file_of_variables_from_windows(tmp_path: Path) -> None:
     (tmp_path / ".env").write_bytes(b"A=1\r\nB='2\r\n3'\r\n")
-    assert app_inputs.read_env(tmp_path / ".env") == {"A": "1", "B": "2\n3"}
+    assert env_file.read(tmp_path / ".env") == {"A": "1", "B": "2\n3"}
 
 
 @pytest.mark.parametrize(
@@ -190,7 +192,7 @@ def test_a_file_of_variables_from_windows(tmp_path: Path) -> None:
 def test_what_a_shell_would_be_needed_for_is_refused(text: str, says: str, tmp_path: Path) -> None:
     (tmp_path / ".env").write_text(text)
     with pytest.raises(RosmlError, match=says.replace(".", r"\.")) as caught:
-        app_inputs.read_env(tmp_path / ".env")
+        env_file.read(tmp_path / ".env")
     assert caught.value.exit_code == 2
 
 
@@ -239,10 +241,10 @@ def test_lists_lose_comments_and_files_of_one_name_come_together(tmp_path: Path)
     for folder, text in (("a", "htop # tools\n"), ("b/c", "\n# none\nnano"), (".git/d", "no\n")):
         (tmp_path / folder).mkdir(parents=True)
         (tmp_path / folder / "debs.txt").write_text(text)
-    every = app_inputs.text_of(tmp_path, "docker/debs.txt", True, (tmp_path,))
-    assert app_inputs.lines_of("nano\u2028htop # a\u2028b\n") == ["nano\u2028htop"], (
+    every = workspace.text_of(tmp_path, "docker/debs.txt", (tmp_path,))
+    assert workspace.lines_of("nano\u2028htop # a\u2028b\n") == ["nano\u2028htop"], (
         "a line ends where git and apt see its end"
     )
-    assert app_inputs.lines_of(every) == ["htop", "nano"]
-    assert app_inputs.lines_of(app_inputs.text_of(tmp_path, "a/debs.txt", False, (tmp_path,))) == ["htop"]
-    assert app_inputs.text_of(tmp_path, "docker/debs.txt", False, (tmp_path,)) == ""
+    assert workspace.lines_of(every) == ["htop", "nano"]
+    assert workspace.lines_of(workspace.text_of(tmp_path, "a/debs.txt")) == ["htop"]
+    assert workspace.text_of(tmp_path, "docker/debs.txt") == ""

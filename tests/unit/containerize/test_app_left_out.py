@@ -13,7 +13,7 @@ import pytest
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.containerize.packages import workspace
-from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.ignored import IgnoredFiles
 
 
 def write(folder: Path, *names: str) -> None:
@@ -23,7 +23,7 @@ def write(folder: Path, *names: str) -> None:
 
 
 def staged(folder: Path, out: Path) -> set[str]:
-    workspace.stage(folder, out, left=LeftOut(folder))
+    workspace.stage(folder, out, ignored=IgnoredFiles(folder))
     return {str(path.relative_to(out)) for path in out.rglob("*") if path.is_file()}
 
 
@@ -93,7 +93,7 @@ def test_what_tools_made_stays_where_it_is(tmp_path: Path) -> None:
         "build_isolated/CATKIN_IGNORE",
     )
     assert staged(robot, tmp_path / "out") == kept
-    assert {path.parent.name for path in workspace.manifests(robot, left=LeftOut(robot))} == {"a", "build"}
+    assert {path.parent.name for path in workspace.manifests(robot, ignored=IgnoredFiles(robot))} == {"a", "build"}
 
 
 def test_a_link_to_an_environment_of_python_is_a_link(tmp_path: Path) -> None:
@@ -101,8 +101,8 @@ def test_a_link_to_an_environment_of_python_is_a_link(tmp_path: Path) -> None:
     robot = tmp_path / "robot"
     write(tmp_path, "elsewhere/pyvenv.cfg", "robot/a/package.xml")
     (robot / "env").symlink_to(tmp_path / "elsewhere")
-    assert not LeftOut(robot).whole(robot / "env")
-    assert LeftOut(tmp_path).whole(tmp_path / "elsewhere")
+    assert not IgnoredFiles(robot).whole(robot / "env")
+    assert IgnoredFiles(tmp_path).whole(tmp_path / "elsewhere")
 
 
 def test_packages_that_dockerignore_leaves_out_are_not_built(tmp_path: Path) -> None:
@@ -120,11 +120,11 @@ def test_a_dockerignore_is_a_file_of_the_folder(tmp_path: Path) -> None:
     (tmp_path / "robot").mkdir()
     (tmp_path / "robot/.dockerignore").symlink_to("/etc/hostname")
     with pytest.raises(RosmlError, match="leads out of"):
-        LeftOut(tmp_path / "robot")
+        IgnoredFiles(tmp_path / "robot")
     (tmp_path / "robot/.dockerignore").unlink()
     os.mkfifo(tmp_path / "robot/.dockerignore")
     with pytest.raises(RosmlError, match="neither a file nor a folder"):
-        LeftOut(tmp_path / "robot")
+        IgnoredFiles(tmp_path / "robot")
 
 
 def test_what_is_about_a_repository_is_not_built_from(tmp_path: Path) -> None:

@@ -30,7 +30,7 @@ from rosml.base.file_lock import turn
 from rosml.containerize.lock import Pin
 from rosml.containerize.sources import fetch as sources
 from rosml.containerize.sources import repos_file
-from rosml.containerize.sources.fetch import Access, Repository, fetch
+from rosml.containerize.sources.fetch import Access, Options, Repository, fetch
 from rosml.containerize.sources.git import Failed, opened
 
 NOBODY = Access()
@@ -98,8 +98,8 @@ class Place:
 
     def fetch(self, access: Access = NOBODY, **options: object) -> list[Repository]:
         self.said: list[str] = []
-        options = {"local": True} | options
-        return fetch(self.target, self.out, self.cache, access, say=self.said.append, **options)  # type: ignore[arg-type]
+        chosen = Options(**{"local": True} | options)  # type: ignore[arg-type]
+        return fetch(self.target, self.out, self.cache, access, chosen, self.said.append)
 
     def refused(self, access: Access = NOBODY, **options: object) -> RosmlError:
         """The error of a call."""
@@ -152,7 +152,7 @@ def test_every_repos_file_counts_until_nothing_is_new(place: Place) -> None:
     assert not [name for name in first if ".git" in name]
     umask = os.umask(0o077)
     try:
-        fetch(place.target, place.root / "again", place.root / "new cache", NOBODY, local=True)
+        fetch(place.target, place.root / "again", place.root / "new cache", NOBODY, Options(local=True))
     finally:
         os.umask(umask)
     assert listing(place.root / "again") == first
@@ -479,7 +479,7 @@ def test_two_calls_at_once(place: Place) -> None:
     place.put(repos(**{f"p{i}": (a, "main") for i in range(10)}))
     threads = [
         threading.Thread(
-            target=fetch, args=(place.target, place.root / f"out{i % 2}", place.cache, NOBODY), kwargs={"local": True}
+            target=fetch, args=(place.target, place.root / f"out{i % 2}", place.cache, NOBODY, Options(local=True))
         )
         for i in range(4)
     ]
@@ -545,8 +545,8 @@ def test_a_call_that_is_killed_is_finished_by_the_next(place: Place) -> None:
     )
     (programs / "git").chmod(0o755)
     code = (
-        "import sys; from pathlib import Path; from rosml.containerize.sources.fetch import Access, fetch;"
-        "fetch(*map(Path, sys.argv[1:]), Access(), local=True)"
+        "import sys; from pathlib import Path; from rosml.containerize.sources.fetch import Access, Options, fetch;"
+        "fetch(*map(Path, sys.argv[1:]), Access(), Options(local=True))"
     )
     command = [sys.executable, "-c", code, str(place.target), str(place.out), str(place.cache)]
     path = os.pathsep.join(str(folder) for folder in sys.path)
@@ -1019,7 +1019,7 @@ def test_a_server_that_is_too_busy_is_asked_again(
     ],
 )
 def test_a_failure_of_git_is_told_with_its_cause(url: str, said: str, cause: str, remedy: str) -> None:
-    error = sources.told("a.repos:2: a", url, Failed(said))
+    error = sources.explained("a.repos:2: a", url, Failed(said))
     assert cause in error.message and remedy in error.remedy
 
 

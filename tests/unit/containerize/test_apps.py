@@ -949,7 +949,8 @@ def test_packages_that_use_the_apps_are_tested_before_there_is_an_image(
         tested.build()
     [report] = calls
     assert report["args"]["DOWNSTREAM"] == "downstream-results"
-    assert fetched[0]["without"] == fetched[1]["file"] == "uses.repos" and not fetched[1]["recursive"]
+    upstream, downstream = (call["options"] for call in fetched)
+    assert upstream.without == downstream.file == "uses.repos" and not downstream.recursive
     calls.clear()
     options = {"base_image": "ros:jazzy", "command": "true", "downstream_workspace": "uses.repos"}
     with contextlib.suppress(RosmlError):

@@ -153,7 +153,7 @@ class App:
         built = Built("base")
         for target in self.values.target.split(","):
             before = "" if target == "run" else f"{target}-"
-            tag, name = self.values.named(f"{before}image-tag"), self.values.named(f"{before}image-name")
+            tag, name = self.values.text(f"{before}image-tag"), self.values.text(f"{before}image-name")
             digest = put(self.services, f"{name or self.values.image_name}:{tag}")
             built.images.append(Made(target, f"{name}:{tag}", digest))
         return built

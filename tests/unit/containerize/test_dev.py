@@ -28,7 +28,7 @@ from rosml.containerize.build import bake_file as app_bake_file
 from rosml.containerize.build import desk
 from rosml.containerize.inputs import TABLE, Values
 from rosml.containerize.packages import workspace
-from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.run.plugins import concerns
 
 COMMAND = app_bake_file.SCRIPTS / "containerize/desk_command.sh"
@@ -231,7 +231,7 @@ def test_the_file_that_init_writes_is_no_obstacle(place: Place) -> None:
 
 def test_git_and_builds_leave_out_what_is_kept(place: Place, tmp_path: Path) -> None:
     place.call()
-    workspace.stage(place.folder, tmp_path / "staged", left=LeftOut(place.folder))
+    workspace.stage(place.folder, tmp_path / "staged", ignored=IgnoredFiles(place.folder))
     assert not (tmp_path / "staged/.rosml").exists()
     git = shutil.which("git", path=os.defpath)
     assert git

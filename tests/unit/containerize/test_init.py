@@ -32,7 +32,7 @@ from rosml.cli.containerize import init
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize.init import file_texts, forge
 from rosml.containerize.packages import workspace
-from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.images.builds import base_images
 from rosml.images.image_set.model import ImageSet
 from rosml.machine import git
@@ -74,9 +74,9 @@ def test_those_who_read_the_files_understand_them(tmp_path: Path, registry: list
     assert list(app_inputs.answers(folder, {})) == []
     project = defaults.files({"XDG_CONFIG_HOME": str(tmp_path)}, str(folder), ["--mws"], []).project
     assert project and (project.line.image, project.line.own) == ("my-robot:latest-dev", ("--mws",))
-    ignored = LeftOut(folder)
+    ignored = IgnoredFiles(folder)
     assert ignored(folder / ".env") and ignored.whole(folder / ".git") and ignored.whole(folder / "build")
-    assert [path.parent.name for path in workspace.manifests(folder, left=ignored)] == ["arm"]
+    assert [path.parent.name for path in workspace.manifests(folder, ignored=ignored)] == ["arm"]
 
 
 def test_a_dockerfile_says_where_its_base_image_is_and_how_it_gets_gpus(tmp_path: Path) -> None:

@@ -43,7 +43,7 @@ from rosml.containerize.init import folder as init_folder
 from rosml.containerize.init import forge, packages
 from rosml.containerize.packages import workspace
 from rosml.containerize.packages.conditions import holds
-from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.rebase import compatibility, fleet, image, trial
 from rosml.containerize.rebase.attachments import BaseContents
 from rosml.containerize.sources import repos_file, tree, versions
@@ -1181,7 +1181,7 @@ def sources_of(document: bytes, folder: Path) -> object:
 
 
 PARSERS: dict[str, Parser] = {
-    ".env": Parser("text", [ENV], written(".env", app_inputs.read_env)),
+    ".env": Parser("text", [ENV], written(".env", env_file.read)),
     ".repos": Parser(
         "yaml", [REPOS], written("a.repos", lambda file: repos_file.read([file], file.parent, "", local=False))
     ),
@@ -1332,7 +1332,7 @@ PARSERS: dict[str, Parser] = {
     ".dockerignore": Parser(
         "text",
         [b"# x\n*.log\n!a/**/b?.log\nbuild/\n[a-c]\\*\n"],
-        written(".dockerignore", lambda file: LeftOut(file.parent)(file.parent / "a/b/c.log")),
+        written(".dockerignore", lambda file: IgnoredFiles(file.parent)(file.parent / "a/b/c.log")),
     ),
     ".gitmodules": Parser(
         "text", [MODULES], written(".gitmodules", lambda file: workspace.empty_submodules(file.parent))

@@ -71,7 +71,7 @@ def _with_addons(image_set: ImageSet, name: str, text: str) -> Explained:
     from rosml.machine.services import Services
     from rosml.registry import references
 
-    wanted = addons.named(text)
+    wanted = addons.names_in(text)
     known = image_set.by_tag(name) or image_set.by_target.get(name)
     if known and not references.has_registry(name):
         return explain.with_addons(image_set.matrix, known, name, wanted)

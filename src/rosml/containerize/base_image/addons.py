@@ -12,11 +12,11 @@ from rosml.base.errors import RosmlError
 from rosml.containerize import lock
 from rosml.containerize.base_image.base import AddOns, Base
 from rosml.images.builds.base_images import native_architecture
-from rosml.images.image_set import addons as choice
+from rosml.images.image_set import addons as image_addons
 from rosml.images.image_set import labels
 from rosml.images.image_set.load import without_locks
 from rosml.images.image_set.model import PARTS
-from rosml.images.join import label_claims as told
+from rosml.images.join import label_claims
 from rosml.images.join.joiner import Joiner
 from rosml.images.join.layers import Source
 from rosml.images.join.transfer import Transfer
@@ -34,17 +34,15 @@ _DISTRIBUTION, _COMPONENT = (labels.PREFIX + name for name in ("distribution", "
 OTHER_BASE = "name another base image"
 """The remedy for a base image with damaged labels."""
 
+PAGE = "docs/addons.md"
 
-def named(text: str) -> list[str]:
-    """The names of add-ons in a text, separated by commas or blanks.
 
-    Raises:
-        RosmlError: one is no name (exit code 2).
-    """
-    wanted = list(dict.fromkeys(re.findall(r"[^,\s]+", text)))
-    if wrong := next((name for name in wanted if len(name) > told.LONGEST or not re.fullmatch(NAME, name)), ""):
+def names_in(text: str) -> list[str]:
+    """The names of add-ons in a text, separated by commas or blanks."""
+    addons = list(dict.fromkeys(re.findall(r"[^,\s]+", text)))
+    if wrong := next((name for name in addons if len(name) > label_claims.LONGEST or not re.fullmatch(NAME, name)), ""):
         raise RosmlError(f"addons: {wrong[:60]!r} is no name", "name add-ons such as onnx", exit_code=2)
-    return wanted
+    return addons
 
 
 def onto(
@@ -59,31 +57,27 @@ def onto(
     Args:
         text: names of add-ons, separated by commas or blanks; with a stack if the base image has none: `onnx-cpu`.
         locked: digests of parts, by their names with a tag; None for the present ones.
-
-    Raises:
-        RosmlError: the base image is none of rosml's, there is no such add-on, or it does not fit (exit code 2); a registry does not
-            answer or refuses.
     """
-    wanted = named(text)
-    if not wanted:
+    addons = names_in(text)
+    if not addons:
         return base
     _require_ours(base)
     with Registries(services.ca_bundle) as registries, Transfer(registries) as transfer:
-        parts = _Search(transfer, services, base, locked).parts(wanted)
+        parts = _Search(transfer, services, base, locked).parts(addons)
         if not parts:  # the base image has them
             return base
         every = dict.fromkeys([*platforms, f"linux/{native_architecture()}"])  # some steps run on the builder's own
         with Joiner(registries, unlisted=_by_join(base, parts)) as joiner:
             joined = joiner.check(_in_full(base), list(parts.values()), [*every])
     first = next(iter(joined.values()))
-    order = [source.name for _, source in first.layers if source.name in parts.values()]
+    order = dict.fromkeys(source.name for _, source in first.layers if source.name in parts.values())
     by_reference = {reference: name for name, reference in parts.items()}
-    known = dict(item.partition("=")[::2] for item in first.environment)
+    environment = dict(item.partition("=")[::2] for item in first.environment)
     return replace(
         base,
         addons=AddOns(
-            parts={by_reference[reference]: reference for reference in dict.fromkeys(order)},
-            environment=_changed(base.environment, known),
+            parts={by_reference[reference]: reference for reference in order},
+            environment=_changed(base.environment, environment),
             labels=_changed(base.labels, first.labels),
         ),
     )
@@ -95,25 +89,18 @@ def kept(transfer: Transfer, app: Mapping[str, str], base: Base, services: Servi
     Args:
         app: the labels of the app's image.
         stack: the stack of the add-ons, if the base image has none; the app's own if empty.
-
-    Raises:
-        RosmlError: an add-on is not there for the base image (exit code 2), or a registry does not answer or refuses.
     """
-    told.require(app, "the app", "build it again")
-    there = base.labels.get(labels.ADDONS, "").split()
+    label_claims.require(app, "the app", "build it again")
+    present = base.labels.get(labels.ADDONS, "").split()
     end = "" if base.labels.get(_STACK) else f"-{stack or app.get(_STACK, '')}"
-    own = [f"{name}{end}" for name in app.get(labels.ADDONS, "").split() if name not in there]
-    if own:
+    missing = [f"{name}{end}" for name in app.get(labels.ADDONS, "").split() if name not in present]
+    if missing:
         _require_ours(base)
-    return _Search(transfer, services, base, None, "name another --base; or build the app again: ").parts(own)
+    return _Search(transfer, services, base, None, "name another --base; or build the app again: ").parts(missing)
 
 
 def _require_ours(base: Base) -> None:
-    """Checks that a base image is one of rosml's in a registry, or was built on one.
-
-    Raises:
-        RosmlError: it is not (exit code 2).
-    """
+    """Checks that a base image is one of rosml's in a registry, or was built on one."""
     if base.local:
         text = f"{base.name} is in Docker alone, and add-ons go onto images in a registry"
         raise RosmlError(text, "push it, and name it with its registry", exit_code=2)
@@ -122,7 +109,7 @@ def _require_ours(base: Base) -> None:
         raise RosmlError(
             f"{base.name} is none of rosml's images, so it can have no add-on", f"take {ours}", exit_code=2
         )
-    told.require(base.labels, base.name, OTHER_BASE)
+    label_claims.require(base.labels, base.name, OTHER_BASE)
 
 
 def _in_full(base: Base) -> str:
@@ -130,16 +117,12 @@ def _in_full(base: Base) -> str:
     return f"{base.name.partition('@')[0]}@{base.digest}"
 
 
-def _changed(old: Mapping[str, str], new: Mapping[str, str]) -> dict[str, str]:
-    return {name: value for name, value in new.items() if old.get(name) != value}
+def _changed(before: Mapping[str, str], after: Mapping[str, str]) -> dict[str, str]:
+    return {name: value for name, value in after.items() if before.get(name) != value}
 
 
 def repository(base: Base) -> str:
-    """The repository of parts beside a base image: for an app, beside its own base image.
-
-    Raises:
-        RosmlError: the app's label about that is damaged (exit code 2).
-    """
+    """The repository of parts beside a base image: for an app, beside its own base image."""
     label = f"{labels.OCI}base.name"
     name = base.labels.get(label, "") if base.labels.get(labels.APP) else ""
     try:
@@ -154,9 +137,9 @@ def _by_join(base: Base, parts: Iterable[str]) -> str:
     """How an image of somebody's own gets add-ons if it has no list of its files."""
     target = f"{base.name.partition('@')[0]}-with-addons"
     command = f"rosml join {base.name} {' '.join(parts)} --tag {target} --allow-unlisted"
-    own = "take the app's run image, built without --no-sbom" if base.labels.get(labels.APP) else ""
-    ways = own or "add them in its Dockerfile (docs/addons.md)"
-    return f"{ways}; or join them without the list, and take the result as base image: {command}"
+    is_app = bool(base.labels.get(labels.APP))
+    way = "take the app's run image, built without --no-sbom" if is_app else f"add them in its Dockerfile ({PAGE})"
+    return f"{way}; or join them without the list, and take the result as base image: {command}"
 
 
 @dataclass(frozen=True)
@@ -164,9 +147,7 @@ class _Search:
     """Finds the parts of add-ons for a base image.
 
     Attributes:
-        transfer: reads images.
         services: name the local registry.
-        base: the base image.
         locked: digests of parts, by their names with a tag; None for the present ones.
         before: what stands before a remedy that names other add-ons or another base image.
     """
@@ -177,40 +158,43 @@ class _Search:
     locked: Mapping[str, str] | None
     before: str = ""
 
-    def parts(self, wanted: Iterable[str]) -> dict[str, str]:
-        """References of all parts that the base image lacks for add-ons, by digest.
-
-        Raises:
-            RosmlError: one is not there (exit code 2), or a registry does not answer or refuses.
-        """
-        there, has = (self.base.labels.get(label, "").split() for label in (labels.PARTS, labels.ADDONS))
+    def parts(self, addons: Iterable[str]) -> dict[str, str]:
+        """References by digest of all parts that the base image lacks for add-ons, by their names with a tag."""
+        present = self.base.labels.get(labels.ADDONS, "").split()
         end = f"-{self.base.labels.get(_STACK, '')}"
-        found: dict[str, str] = {}
-        for name in wanted:
-            if name.removesuffix(end) in has:
-                continue
-            main = self._main(name)
-            stack, said = main.labels.get(_STACK, ""), main.labels.get(labels.ADDONS, "")
-            if len(addons := labels.combinations(said)) != 1:
-                text = f"{main.name} is no add-on: its label {labels.ADDONS} does not name it"
-                raise RosmlError(text, "name an add-on, such as onnx", exit_code=2)
-            for kind in (kind for kinds in addons.values() for kind in kinds if kind not in there):
-                python = ANY_PYTHON if labels.any_python(said, kind) else self.base.labels[_PYTHON]
-                tag = f"{repository(self.base)}:{names.part_name(kind, stack, python)}"
-                found[tag] = self._pinned(name, tag)
-        return found
+        return {
+            tag: self._pinned(name, tag)
+            for name in addons
+            if name.removesuffix(end) not in present
+            for tag in self._tags(self._main(name))
+        }
+
+    def _tags(self, main: Source) -> list[str]:
+        """The parts that the base image lacks for an add-on, by its main part."""
+        claim = main.labels.get(labels.ADDONS, "")
+        if len(addons := labels.combinations(claim)) != 1:
+            text = f"{main.name} is no add-on: its label {labels.ADDONS} does not name it"
+            raise RosmlError(text, "name an add-on, such as onnx", exit_code=2)
+        stack, present = main.labels.get(_STACK, ""), self.base.labels.get(labels.PARTS, "").split()
+        pythons = {
+            kind: ANY_PYTHON if labels.any_python(claim, kind) else self.base.labels[_PYTHON]
+            for kinds in addons.values()
+            for kind in kinds
+            if kind not in present
+        }
+        return [f"{repository(self.base)}:{names.part_name(kind, stack, python)}" for kind, python in pythons.items()]
 
     def _main(self, name: str) -> Source:
         """The main part of an add-on: the last of its own parts, or one of its name if rosml does not have it."""
         stack, python = self.base.labels.get(_STACK, ""), f"py{self.base.labels[_PYTHON].replace('.', '')}"
         matrix = _matrix()
-        wanted = choice.read(matrix, name)
-        called = name
-        if wanted.addon:
-            called = "-".join(filter(None, (matrix.addons[wanted.addon].parts[-1], wanted.stack)))
-            self._require_system(wanted)
-        called = f"{called}-{stack}" if stack and not name.endswith(f"-{stack}") else called
-        tags = [f"{repository(self.base)}:{tag}" for tag in (f"{called}-{python}", called)]
+        choice = image_addons.read(matrix, name)
+        part = name
+        if choice.addon:
+            part = "-".join(filter(None, (matrix.addons[choice.addon].parts[-1], choice.stack)))
+            self._require_system(choice)
+        part = f"{part}-{stack}" if stack and not name.endswith(f"-{stack}") else part
+        tags = [f"{repository(self.base)}:{tag}" for tag in (f"{part}-{python}", part)]
         for tag in tags:
             if manifest := self.transfer.manifest(references.parse(tag)):
                 return _of_its_name(self.transfer.one(tag, manifest))
@@ -222,81 +206,75 @@ class _Search:
         Args:
             name: the add-on that it is for.
         """
-        where = references.parse(tag)
+        place = references.parse(tag)
         digest = self.locked.get(tag, "") if self.locked else ""
-        if digest and not self.transfer.manifest(where._replace(reference=digest)):
+        manifest = self.transfer.manifest(place._replace(reference=digest) if digest else place)
+        if manifest is None and digest:
             raise RosmlError(f"there is no {tag} with the digest {digest} of the lock file", lock.RENEW, exit_code=2)
-        if not digest:
-            found = self.transfer.manifest(where)
-            if found is None:
-                raise self._missing(name, f"there is no {tag}, which {name} needs")
-            digest = found.digest
-        return f"{tag.rpartition(':')[0]}@{digest}"
+        if manifest is None:
+            raise self._missing(name, f"there is no {tag}, which {name} needs")
+        return f"{tag.rpartition(':')[0]}@{digest or manifest.digest}"
 
-    def _onto(self) -> choice.Onto:
-        said = (self.base.labels.get(label, "") for label in (_DISTRIBUTION, _COMPONENT, _FRAMEWORK, _STACK))
-        return choice.Onto(self.base.name, *said)
+    def _onto(self) -> image_addons.Onto:
+        texts = (self.base.labels.get(label, "") for label in (_DISTRIBUTION, _COMPONENT, _FRAMEWORK, _STACK))
+        return image_addons.Onto(self.base.name, *texts)
 
-    def _require_system(self, wanted: choice.Wanted) -> None:
-        """Checks that an add-on works on the base image's operating system: a part for any Python does not say that.
-
-        Raises:
-            RosmlError: it does not (exit code 2).
-        """
+    def _require_system(self, choice: image_addons.Wanted) -> None:
+        """Checks that an add-on works on the base image's operating system: a part for any Python does not say that."""
         matrix, onto = _matrix(), self._onto()
-        stack = wanted.stack or onto.stack
-        if onto.exists_in(matrix) and (reason := rules.system_reason(matrix, onto.distribution, stack, wanted.addon)):
-            raise RosmlError(reason, f"{self.before}{choice.instead(matrix, onto, wanted.addon)}", exit_code=2)
+        stack = choice.stack or onto.stack
+        if onto.known(matrix) and (reason := rules.system_reason(matrix, onto.distribution, stack, choice.addon)):
+            remedy = f"{self.before}{image_addons.instead(matrix, onto, choice.addon)}"
+            raise RosmlError(reason, remedy, exit_code=2)
 
     def _missing(self, name: str, text: str) -> RosmlError:
         """The error about a part that is not there: a rule forbids it, or nobody has published it there."""
         matrix, onto = _matrix(), self._onto()
-        wanted = choice.read(matrix, name)
-        if refused := choice.refused(matrix, onto, name):
-            if wanted.addon:
+        choice = image_addons.read(matrix, name)
+        if refused := image_addons.refused(matrix, onto, name):
+            if choice.addon:
                 return RosmlError(refused.message, f"{self.before}{refused.remedy}", exit_code=2)
             return RosmlError(text, f"{refused.message}; {refused.remedy}; or publish its parts there", exit_code=2)
-        stack = wanted.stack or onto.stack
+        if not onto.known(matrix):
+            return RosmlError(text, f"publish it there; '{PAGE}' has more", exit_code=2)
+        present = self.base.labels.get(labels.PARTS, "").split()
+        parts = image_addons.parts(matrix, onto.distribution, choice.addon, choice.stack or onto.stack, present)
         place, _, _ = repository(self.base).rpartition(f"/{PARTS}")
         host, _, namespace = place.partition("/")
-        if not onto.exists_in(matrix):
-            return RosmlError(text, f"publish it there; '{PAGE}' has more", exit_code=2)
-        there = self.base.labels.get(labels.PARTS, "").split()
-        parts = choice.parts(matrix, onto.distribution, wanted.addon, stack, there)
         if host == self.services.registry and namespace:
             option = f" --namespace {namespace}" if namespace != NAMESPACE else ""
             return RosmlError(text, f"build it: rosml part {' '.join(parts)}{option}", exit_code=2)
         if self.transfer.registries(host).tags(f"{namespace}/{PARTS}".lstrip("/")):
-            tests = (it for it in without_locks(MATRIX).images if it.addons == (wanted.addon,))
-            target = next((it.target for it in tests if {*parts} <= {*it.parts}), onto.distribution)
-            platforms = self.transfer.platforms(_in_full(self.base))
-            served = [f"--serve {key}" for key, facts in matrix.architectures.items() if facts.platform in platforms]
-            command = " ".join(["rosml publish all --registry", place, "--only", target, *served])
+            command = self._publish(place, choice.addon, parts)
             return RosmlError(text, f"publish it there, if that registry is yours: {command}", exit_code=2)
+        return RosmlError(f"{text}; no parts are beside this image", f"{self._join(parts)}; {PAGE} has more", 2)
+
+    def _publish(self, place: str, addon: str, parts: Sequence[str]) -> str:
+        """The command that publishes parts to the registry of the base image."""
+        tests = (image for image in without_locks(MATRIX).images if image.addons == (addon,))
+        target = next((image.target for image in tests if {*parts} <= {*image.parts}), self._onto().distribution)
+        platforms = self.transfer.platforms(_in_full(self.base))
+        architectures = _matrix().architectures.items()
+        served = [f"--serve {name}" for name, facts in architectures if facts.platform in platforms]
+        return " ".join(["rosml publish all --registry", place, "--only", target, *served])
+
+    def _join(self, parts: Iterable[str]) -> str:
+        """How to join parts from another registry to the base image."""
         every = " ".join(f"<registry>/{PARTS}:{part}" for part in parts)
-        own = self.base.name.partition("@")[0]
+        image = self.base.name.partition("@")[0]
         unlisted = "" if self.base.labels.get(labels.APP) else " --allow-unlisted"
-        remedy = (
-            f"join them from the registry of rosml's images: rosml join {own} {every} --tag {own}-with-addons{unlisted}"
-        )
-        return RosmlError(f"{text}; no parts are beside this image", f"{remedy}; {PAGE} has more", exit_code=2)
+        command = f"rosml join {image} {every} --tag {image}-with-addons{unlisted}"
+        return f"join them from the registry of rosml's images: {command}"
 
 
 def _of_its_name(part: Source) -> Source:
-    """A part that is what its tag says.
-
-    Raises:
-        RosmlError: its labels are damaged, or say otherwise (exit code 2).
-    """
-    told.require(part.labels, part.name)
-    said = [part.labels.get(labels.PREFIX + name, "") for name in ("part", "stack", "python")]
-    if names.part_name(*said) != part.name.rpartition(":")[2]:
-        text = f"{part.name} is no such part: its labels say {' '.join(filter(None, said)) or 'nothing'}"
+    """A part that is what its tag says."""
+    label_claims.require(part.labels, part.name)
+    claims = [part.labels.get(labels.PREFIX + name, "") for name in ("part", "stack", "python")]
+    if names.part_name(*claims) != part.name.rpartition(":")[2]:
+        text = f"{part.name} is no such part: its labels say {' '.join(filter(None, claims)) or 'nothing'}"
         raise RosmlError(text, "publish it again", exit_code=2)
     return part
-
-
-PAGE = "docs/addons.md"
 
 
 @cache

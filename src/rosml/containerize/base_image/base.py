@@ -31,12 +31,10 @@ from rosml.registry.documents import Config, Platform, Settings
 
 @dataclass(frozen=True)
 class AddOns:
-    """What add-ons bring to a base image.
+    """What add-ons bring to a base image: variables and labels are those that it lacks, or has with other values.
 
     Attributes:
         parts: references of parts by digest, in the order in which they are joined; by their names with a tag.
-        environment: variables that the base image does not have, or has with other values.
-        labels: the same of labels.
     """
 
     parts: Mapping[str, str]
@@ -44,17 +42,12 @@ class AddOns:
     labels: Mapping[str, str]
 
     def dockerfile(self, base: str) -> str:
-        """The Dockerfile that joins the parts.
-
-        Args:
-            base: the name of the context with the base image. The contexts of parts are `part-0`, `part-1` …
-        """
+        """The Dockerfile that joins the parts to a context with the base image."""
         lines = [f"FROM {base}"]
         lines += [f"COPY --link --from=part-{number} / /" for number in range(len(self.parts))]
         return "\n".join([*lines, *(f'ENV {name}="{value}"' for name, value in self.environment.items()), ""])
 
     def contexts(self) -> dict[str, str]:
-        """The contexts of the parts."""
         return {f"part-{number}": f"docker-image://{reference}" for number, reference in enumerate(self.parts.values())}
 
 
@@ -65,14 +58,10 @@ class Base:
     Attributes:
         name: its name as people write it, with its registry and tag.
         digest: the digest of its index, or of its manifest.
-        environment: its variables, for the first wanted platform.
-        labels: the labels of its configuration.
-        user: the user as whom it starts.
-        entrypoint: its entrypoint.
+        environment: its variables, for the first of the platforms.
         shell: its shell for RUN in Dockerfiles; empty if it names none.
         local: whether it is in the user's Docker, and in no registry that answers.
         adopted: the ROS to install on it, if it has none.
-        addons: the parts to join to it, if there are some.
     """
 
     name: str
@@ -113,10 +102,7 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
     """The base image with a name: in a registry, or else in the user's Docker if that builds.
 
     Args:
-        digest: the wanted digest, wherever the tag is now; empty for any.
-
-    Raises:
-        RosmlError: there is no such image, or it is for other platforms.
+        digest: the digest that it must have, wherever the tag is now; empty for any.
     """
     names = candidates(text, services)
     refused: RosmlError | None = None
@@ -133,65 +119,72 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
             if manifest is not None:
                 return _read(registry, place, manifest, platforms)
             if place.host == services.registry and not digest:  # others may have thousands of tags
-                tags = [tag for tag in registry.tags(place.repository) if not tag.startswith("sha256-")]
-                near = unknown("tag", place.reference, tags).partition("; ")[2]
-    if services.builder_kind != "buildkitd" and (found := _in_docker(text, digest)):
-        return found
-    if refused and services.bases and (found := _made_here(names[-1], services, platforms, digest)):
-        return found
+                near = unknown("tag", place.reference, _tags(registry, place)).partition("; ")[2]
+    if services.builder_kind != "buildkitd" and (base := _in_docker(text, digest)):
+        return base
+    if refused and services.bases and (base := _made_here(names[-1], services, platforms, digest)):
+        return base
     if "@" in text and not (refused and len(names) == 1):
         raise without_digest(text, services)
+    raise _none(text, services, digest, near, refused)
+
+
+def _none(text: str, services: Services, digest: str, near: str, refused: RosmlError | None) -> RosmlError:
+    """The error if there is no image of a name.
+
+    Args:
+        near: a sentence with tags like that of the name.
+        refused: the error of a registry that did not answer.
+    """
+    names = candidates(text, services)
+    if refused and len(names) == 1:
+        return refused
     ours = _ours(text) or _app_here(text, services)
     if refused:
-        if len(names) == 1:
-            raise refused
         problem = f"there is no image {text} in the local registry, and {refused.message}"
-        raise RosmlError(problem, ours or near or refused.remedy)
+        return RosmlError(problem, ours or near or refused.remedy)
     if digest:
-        text = f"there is no image {text} with the digest {digest} of the lock file{_sought(text, names)}"
-        raise RosmlError(text, lock.RENEW, exit_code=2)
-    raise RosmlError(
-        f"there is no image {text}{_sought(text, names)}",
-        ours
-        or f"{near}{' ' if near.endswith('?') else '. ' if near else ''}"
-        "'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one",
-        exit_code=2,
-    )
+        problem = f"there is no image {text} with the digest {digest} of the lock file{_sought(text, names)}"
+        return RosmlError(problem, lock.RENEW, exit_code=2)
+    hint = f"{near}{' ' if near.endswith('?') else '. ' if near else ''}"
+    remedy = f"{hint}'rosml list' has all names; 'rosml image TARGET' builds one; 'docker login' for a private one"
+    return RosmlError(f"there is no image {text}{_sought(text, names)}", ours or remedy, exit_code=2)
 
 
 def without_digest(text: str, services: Services) -> RosmlError:
-    """The error if no registry has an image with a digest (exit code 2).
+    """The error if no registry has an image with a digest.
 
     Args:
         text: the user's name of the image, with the digest.
     """
     names, refused = candidates(text, services), ""
     short, _, digest = text.partition("@")
-    tagged = ":" in short.rpartition("/")[2]
+    is_tagged = ":" in short.rpartition("/")[2]
     with Registries(services.ca_bundle) as registries:
         for name in names:
             place = references.parse(name.partition("@")[0])
-            where = f"{place.host}/{place.repository}"
             try:
                 registry = registries(place.host)
-                if tagged and (present := registry.head(place.repository, place.reference)):
+                if is_tagged and (present := registry.head(place.repository, place.reference)):
                     message = f"{place} is there, but not with the digest {digest}"
                     return RosmlError(message, f"take {short}, or the digest that it has now: {short}@{present}", 2)
-                tags = (
-                    [] if tagged else [tag for tag in registry.tags(place.repository) if not tag.startswith("sha256-")]
-                )
+                tags = [] if is_tagged else _tags(registry, place)
             except RosmlError as error:  # the registry does not answer, or wants a log-in
                 refused = f"; {error.message}"
                 continue
             if tags:
-                return RosmlError(
-                    f"{where} has no image with the digest {digest}", f"take one of its tags: {some(tags)}", 2
-                )
+                message = f"{place.host}/{place.repository} has no image with the digest {digest}"
+                return RosmlError(message, f"take one of its tags: {some(tags)}", 2)
     return RosmlError(
         f"there is no image {text}{_sought(text, names)}{refused}",
         "check its name and its digest; 'rosml list' has all names; 'docker login' for a private one",
         exit_code=2,
     )
+
+
+def _tags(registry: Registry, place: references.Reference) -> list[str]:
+    """The tags of a repository, without those that registries make for what is attached to an image."""
+    return [tag for tag in registry.tags(place.repository) if not tag.startswith("sha256-")]
 
 
 def _ours(text: str) -> str:
@@ -209,8 +202,8 @@ def _app_here(text: str, services: Services) -> str:
     if not services.registry or references.has_registry(text):
         return ""
     with Registries(services.ca_bundle) as registries, contextlib.suppress(RosmlError):
-        where = references.parse(f"{services.registry}/{text}")
-        if registries(where.host).head(where.repository, where.reference):
+        place = references.parse(f"{services.registry}/{text}")
+        if registries(place.host).head(place.repository, place.reference):
             return f"an app in the local registry has to be named in full: {services.registry}/{text}"
     return ""
 
@@ -236,46 +229,41 @@ def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest
 
 
 def runtime(base: Base) -> str:
-    """The name of the image without compilers that belongs to one of our images; empty if labels name none.
-
-    Programs built on one run on the other. It is in the same repository, and of the same day and the same versions if the tag has
-    them.
-    """
+    """The name of the image without compilers that belongs to one of our images, of the same day and versions; empty if labels name
+    none. Programs built on one run on the other."""
     labels = base.labels
     component, distribution = labels.get(RUNTIME, ""), labels.get(f"{PREFIX}distribution", "")
     if not component or not distribution:
         return ""
     stack, day = labels.get(f"{PREFIX}stack"), DATED.search(base.name)
-    own, spelled = main_tag(distribution, labels.get(f"{PREFIX}component", ""), stack), labels.get(VERSION, "")
-    versions = spelled.removeprefix(own) if f":{spelled}" in base.name else ""
+    tag, spelled = main_tag(distribution, labels.get(f"{PREFIX}component", ""), stack), labels.get(VERSION, "")
+    versions = spelled.removeprefix(tag) if f":{spelled}" in base.name else ""
     return f"{base.repository}:{main_tag(distribution, component, stack)}{versions}{day[0] if day else ''}"
 
 
 def differing(base: Base, other: Base) -> list[str]:
     """The labels that differ between two of our images: versions, systems, days."""
-    own = {f"{PREFIX}{name}" for name in ("component", "runtime", "app")}
-    names = {name for labels in (base.labels, other.labels) for name in labels if name.startswith(PREFIX)} - own
+    of_image = {f"{PREFIX}{name}" for name in ("component", "runtime", "app")}
+    names = {name for name in {**base.labels, **other.labels} if name.startswith(PREFIX)} - of_image
     return sorted(name.removeprefix(PREFIX) for name in names if base.labels.get(name) != other.labels.get(name))
 
 
 def _in_docker(text: str, digest: str) -> Base | None:
-    """An image in the user's Docker, with the wanted digest if there is one."""
+    """An image in the user's Docker, with this digest unless it is empty."""
     try:
         command = ["docker", "image", "inspect", text]
         done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, check=False)
         [facts] = _INSPECTED.validate_python(untrusted.json_value(done.stdout))
     except (OSError, ValueError):
         return None
-    known = [facts.Id, *(name.partition("@")[2] for name in facts.RepoDigests or [])]
-    if digest and digest not in known:
+    digests = [facts.Id, *(name.partition("@")[2] for name in facts.RepoDigests or [])]
+    if digest and digest not in digests:
         return None
     bases.require_no_triggers(facts.Config, text)
     return _base(text, facts.Id, facts.Config, local=True)
 
 
 class _Inspected(Shape):
-    """Docker's facts about one of its images."""
-
     Id: str
     RepoDigests: list[str] | None = None
     Config: Settings | None = None
@@ -286,55 +274,53 @@ _INSPECTED = adapter(list[_Inspected])
 
 def _base(name: str, digest: str, settings: Settings | None, local: bool = False) -> Base:
     """A base image from its configuration."""
-    said = settings or Settings()
-    if not re.fullmatch(r"([A-Za-z0-9_][A-Za-z0-9_.-]*(:[A-Za-z0-9_][A-Za-z0-9_.-]*)?)?", said.User or ""):
-        raise RosmlError(f"{name} starts as a user of no name: {said.User!r}", "set another USER in an image on it", 2)
-    variables = {name: value for name, _, value in (item.partition("=") for item in said.Env or ())}
-    entrypoint = tuple(said.Entrypoint or ())
+    facts = settings or Settings()
+    if not re.fullmatch(r"([A-Za-z0-9_][A-Za-z0-9_.-]*(:[A-Za-z0-9_][A-Za-z0-9_.-]*)?)?", facts.User or ""):
+        raise RosmlError(f"{name} starts as a user of no name: {facts.User!r}", "set another USER in an image on it", 2)
+    variables = {name: value for name, _, value in (item.partition("=") for item in facts.Env or ())}
+    entrypoint = tuple(facts.Entrypoint or ())
     if entrypoint and "/" in entrypoint[0]:  # it may be relative to the folder in which the image starts
-        place = posixpath.normpath(posixpath.join(said.WorkingDir or "/", entrypoint[0]))
-        entrypoint = (place, *entrypoint[1:])
-    return Base(name, digest, variables, said.Labels or {}, said.User or "", entrypoint, tuple(said.Shell or ()), local)
+        program = posixpath.normpath(posixpath.join(facts.WorkingDir or "/", entrypoint[0]))
+        entrypoint = (program, *entrypoint[1:])
+    shell = tuple(facts.Shell or ())
+    return Base(name, digest, variables, facts.Labels or {}, facts.User or "", entrypoint, shell, local)
 
 
-def _read(registry: Registry, place: references.Reference, found: oci.Manifest, platforms: tuple[str, ...]) -> Base:
+def _read(registry: Registry, place: references.Reference, manifest: oci.Manifest, platforms: tuple[str, ...]) -> Base:
     # Some steps run on the builder's own architecture.
     needed = {name.split("/")[1] for name in platforms} | {native_architecture()} if platforms else ()
     configs: dict[str, oci.Config] = {}
-    for facts, config in bases.configs(registry, place.repository, found, str(place), needed):
+    for facts, config in bases.configs(registry, place.repository, manifest, str(place), needed):
         configs.setdefault(_platform(facts), config)
     missing = [name for name in platforms if name not in configs]
     if missing or not configs:
         text = f"{place} is not for {', '.join(missing)}" if missing else f"{place} has no image for any platform"
         raise RosmlError(text, "name another base image, or other platforms", exit_code=2)
-    config = configs[platforms[0]] if platforms else next(iter(configs.values()))
-    base = _base(str(place), found.digest, config.facts.config)
-    taken = [config for name, config in configs.items() if not platforms or name in platforms]
-    held = {name: "" for known in taken for name in restricted.parts_of(known.labels)}
-    return replace(base, labels={**base.labels, RESTRICTED: " ".join(held)}) if held else base
+    used = [config for name, config in configs.items() if not platforms or name in platforms]
+    first = configs[platforms[0]] if platforms else used[0]
+    base = _base(str(place), manifest.digest, first.facts.config)
+    parts = dict.fromkeys(name for config in used for name in restricted.named(config.labels))
+    return replace(base, labels={**base.labels, RESTRICTED: " ".join(parts)}) if parts else base
 
 
 def require_kept(
-    registries: Callable[[str], Registry], named: Iterable[str], platforms: tuple[str, ...], remedy: str = ""
+    registries: Callable[[str], Registry], tags: Iterable[str], platforms: tuple[str, ...], remedy: str = ""
 ) -> None:
-    """Checks that no tag would lose a platform.
+    """Checks that no tag would lose a platform that its present image has.
 
     Args:
         remedy: of the error; that of a build by default.
-
-    Raises:
-        RosmlError: a tag's present image is also for other platforms (exit code 2), or a registry does not answer.
     """
-    for reference in named:
+    for reference in tags:
         place = references.parse(reference)
         registry = registries(place.host)
-        found = registry.manifest(place.repository, place.reference)
-        there = _platforms(registry, place, found) if found else []
-        if not {name.replace("arm64/v8", "arm64") for name in platforms}.issuperset(there):
-            every = ",".join(dict.fromkeys([*there, *platforms]))
+        manifest = registry.manifest(place.repository, place.reference)
+        present = _platforms(registry, place, manifest) if manifest else []
+        if not {name.replace("arm64/v8", "arm64") for name in platforms}.issuperset(present):
+            every = ",".join(dict.fromkeys([*present, *platforms]))
             architecture = platforms[0].partition("/")[2].replace("/", "-")
             raise RosmlError(
-                f"{reference} is for {', '.join(there)}, and would be for {', '.join(platforms)} alone; no tag was moved",
+                f"{reference} is for {', '.join(present)}, and would be for {', '.join(platforms)} alone; no tag was moved",
                 remedy
                 or f"name all: --platform {every}; or give this image a tag of its own, such as --image-tag"
                 f" {place.reference}-{architecture}, as enable-singlearch-push does in CI",
@@ -342,14 +328,14 @@ def require_kept(
             )
 
 
-def _platforms(registry: Registry, place: references.Reference, found: oci.Manifest) -> list[str]:
+def _platforms(registry: Registry, place: references.Reference, manifest: oci.Manifest) -> list[str]:
     """The platforms of an image; none if it is no image."""
-    facts: list[Platform | Config] = [entry.platform for entry in found.members if entry.platform]
-    if not found.is_index:
+    facts: list[Platform | Config] = [entry.platform for entry in manifest.members if entry.platform]
+    if not manifest.is_index:
         with contextlib.suppress(RosmlError):
-            facts.append(registry.config(place.repository, found).facts)
-    known = [item for item in facts if item.architecture and item.os != "unknown"]
-    names = {f"{_platform(item)}{'/' + item.variant if item.variant else ''}" for item in known}
+            facts.append(registry.config(place.repository, manifest).facts)
+    usable = [item for item in facts if item.architecture and item.os != "unknown"]
+    names = {f"{_platform(item)}{'/' + item.variant if item.variant else ''}" for item in usable}
     return sorted(name.replace("arm64/v8", "arm64") for name in names)
 
 

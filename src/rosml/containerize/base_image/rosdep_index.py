@@ -11,7 +11,7 @@ import shutil
 import tarfile
 import tempfile
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from pydantic import ConfigDict, ValidationError
@@ -45,7 +45,6 @@ KEPT = 5
 
 _PATH = re.compile(r"[A-Za-z0-9_-][A-Za-z0-9_.-]*(/[A-Za-z0-9_-][A-Za-z0-9_.-]*){0,9}")
 
-
 LARGEST, FILES = 64 << 20, 1000
 """The most bytes of all lists together, unpacked, and the most files. ros/rosdistro has less than 10 MB and 100 files."""
 
@@ -57,8 +56,6 @@ class _Distribution(Shape):
 
 
 class _Index(Shape):
-    """The files of distributions in their index."""
-
     model_config = ConfigDict(strict=True)
 
     distributions: dict[str, _Distribution]
@@ -66,11 +63,7 @@ class _Index(Shape):
 
 @contextlib.contextmanager
 def checkout(folder: Path | None) -> Iterator[Path]:
-    """A checkout of ros/rosdistro: the named one, or a new one.
-
-    Raises:
-        RosmlError: GitHub does not answer, or git is not installed.
-    """
+    """A checkout of ros/rosdistro: this folder, or a new clone."""
     if folder:
         yield folder
         return
@@ -80,44 +73,35 @@ def checkout(folder: Path | None) -> Iterator[Path]:
             with git.opened(git.Access(), Path(place)) as call:
                 call("clone", "--quiet", "--depth", "1", ADDRESS, str(new))
         except git.Failed as error:
-            raise RosmlError(
-                f"{ADDRESS} cannot be cloned: {error.reason}", "name a checkout of it that you have"
-            ) from None
+            text = f"{ADDRESS} cannot be cloned: {error.reason}"
+            raise RosmlError(text, "name a checkout of it that you have") from None
         yield new
 
 
 def _files(checkout: Path) -> Iterator[str]:
-    """The files of a checkout that rosdep reads.
-
-    Raises:
-        RosmlError: it is no checkout of ros/rosdistro, or an incomplete one (exit code 2).
-    """
+    """The files of a checkout that rosdep reads."""
     lists = sorted(path.name for path in checkout.glob("rosdep/*.yaml"))
     try:
         index = _Index.model_validate(untrusted.yaml_of((checkout / INDEX).read_bytes(), INDEX))
-        named = [name for facts in index.distributions.values() for name in facts.distribution]
+        distributions = {name for facts in index.distributions.values() for name in facts.distribution}
     except (OSError, RosmlError, ValidationError):
-        named = []
-    if not lists or not named:
+        distributions = set()
+    if not lists or not distributions:
         raise RosmlError(f"{checkout} is no checkout of ros/rosdistro", "clone it, and name its folder", exit_code=2)
-    for name in [INDEX, *(f"rosdep/{name}" for name in lists), *sorted(set(named))]:
-        if not _PATH.fullmatch(name) or not within.there(checkout / name, checkout):
+    for name in [INDEX, *(f"rosdep/{name}" for name in lists), *sorted(distributions)]:
+        if not _PATH.fullmatch(name) or not within.exists(checkout / name, checkout):
             raise RosmlError(f"{checkout} has no {name} that can be published", "clone it whole", exit_code=2)
         yield name
 
 
 def copied(folder: Path, out: Path) -> Path:
-    """Copies the files of a checkout that rosdep may read, without git's folder, which differs between clones.
-
-    Raises:
-        RosmlError: it has no lists, or a link leads out of the checkout (exit code 2).
-    """
+    """Copies the files of a checkout that rosdep may read, without git's folder, which differs between clones."""
     shutil.rmtree(out, ignore_errors=True)
-    found = [path for pattern in ("*.yaml", "*/*.yaml") for path in folder.glob(pattern) if within.there(path, folder)]
-    if not any(path.parent.name == NAME for path in found):
+    paths = [path for pattern in ("*.yaml", "*/*.yaml") for path in folder.glob(pattern) if within.exists(path, folder)]
+    if not any(path.parent.name == NAME for path in paths):
         text = f"{TYPED} names {folder}, which has no rosdep/*.yaml"
         raise RosmlError(text, "name a checkout of ros/rosdistro", exit_code=2)
-    for path in found:
+    for path in paths:
         target = out / path.relative_to(folder)
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copyfile(path, target)
@@ -125,11 +109,7 @@ def copied(folder: Path, out: Path) -> Path:
 
 
 def packed(checkout: Path) -> bytes:
-    """The lists of a checkout in one file. The same lists give the same bytes.
-
-    Raises:
-        RosmlError: it is no checkout of ros/rosdistro (exit code 2).
-    """
+    """The lists of a checkout in one file. The same lists give the same bytes."""
     buffer = io.BytesIO()
     with gzip.GzipFile(fileobj=buffer, mode="wb", mtime=0) as stream, tarfile.open(fileobj=stream, mode="w") as tar:
         for name in _files(checkout):
@@ -143,11 +123,7 @@ def packed(checkout: Path) -> bytes:
 
 
 def publish(checkout: Path, registry: Registry, repository: str, tags: tuple[str, ...]) -> str:
-    """Pushes the lists of a checkout with some tags. Returns their digest.
-
-    Raises:
-        RosmlError: it is no checkout of ros/rosdistro (exit code 2), or the registry refuses.
-    """
+    """Pushes the lists of a checkout with some tags. Returns their digest."""
     content = packed(checkout)
     digests = [registry.put_artifact(repository, tag, TYPE, content, LAYER) for tag in tags]
     return digests[0]
@@ -157,65 +133,66 @@ class Finder:
     """Finds the lists for a build.
 
     Args:
-        services: the services, with the local registry.
         folder: the repository.
-        say: tells the user which lists it found.
+        say: tells the user which lists it takes.
     """
 
     def __init__(self, services: Services, folder: Path, say: Callable[[str], object]) -> None:
         self._services, self._folder, self._say = services, folder, say
 
-    def find(self, named: str, base: app_base.Base, pin: str, locked: bool) -> tuple[Path, str] | None:
-        """A folder with the lists, and their digest if they are from a registry: those that the user names, or else the newest
-        published beside one of our base images. None if there are none.
+    def find(self, name: str, base: app_base.Base, pin: str, locked: bool) -> tuple[Path, str] | None:
+        """A folder with the lists, and their digest if they are from a registry. Without a name from the user, takes the newest that
+        are published beside one of our base images, if there are some.
 
         Args:
+            name: as the user wrote it: a checkout, or an artifact in a registry; empty for none.
             pin: the digest in the lock file; empty if it has none.
-            locked: there is a lock file.
-
-        Raises:
-            RosmlError: the lists that the user or the lock file names are missing, or are something else (exit code 2).
+            locked: whether there is a lock file.
         """
-        folder = self._folder / named
-        if named.startswith("~/"):
-            folder = Path.home() / named[2:]
-        if named and folder.is_dir():
+        folder = Path.home() / name[2:] if name.startswith("~/") else self._folder / name
+        if name and folder.is_dir():
             return folder, ""
-        if named and not re.search("[:@]", named):
-            text = f"{TYPED} names {named}: there is no folder {folder}"
-            raise RosmlError(
-                text, "name a checkout of ros/rosdistro, or what a registry has, with its tag", exit_code=2
-            )
+        if name and not re.search("[:@]", name):
+            text = f"{TYPED} names {name}: there is no folder {folder}"
+            raise RosmlError(text, "name a checkout of ros/rosdistro, or what a registry has, with its tag", 2)
         if locked and not pin:
-            if named:
+            if name:
                 raise RosmlError("the lock file has no lists of rosdep", lock.RENEW, exit_code=2)
             return None
-        names: tuple[str, ...] = ()
-        if named:
-            names = app_base.candidates(named, self._services)
-        elif base.labels.get(f"{PREFIX}distribution") and not base.local:
-            names = (f"{base.repository.rpartition('/')[0]}/{NAME}:latest",)
-        if pin and (known := self._cached(pin)).is_dir():
-            return known, pin
+        if pin and (cached := self._cached(pin)).is_dir():
+            return cached, pin
+        places = self._references(name, base)
+        try:
+            if lists := self._first(places, pin):
+                return lists
+        except RosmlError as error:
+            if name or pin:
+                raise
+            self._say(f"no lists of rosdep beside the base image: {error.message}")
+            return None
+        if not (name or pin):
+            return None
+        text = f"there are no lists of rosdep {pin or name}"
+        text += f" (looked for {', '.join(places)})" if places else ""
+        text = text if pin else f"{TYPED} names {name}: {text}"
+        raise RosmlError(text, "check the name; 'rosml publish rosdep' publishes them", exit_code=2)
+
+    def _references(self, name: str, base: app_base.Base) -> tuple[str, ...]:
+        """Where the lists may be, the likeliest first."""
+        if name:
+            return app_base.candidates(name, self._services)
+        if base.local or not base.labels.get(f"{PREFIX}distribution"):
+            return ()
+        return (f"{base.repository.rpartition('/')[0]}/{NAME}:latest",)
+
+    def _first(self, names: Iterable[str], pin: str) -> tuple[Path, str] | None:
+        """The first lists that a registry has, with the pinned digest if there is one."""
         with Registries(self._services.ca_bundle) as registries:
             for place in map(references.parse, names):
-                wanted = place._replace(reference=pin or place.reference)
-                try:
-                    found = self._fetched(registries(place.host), wanted)
-                except RosmlError as error:
-                    if named or pin:
-                        raise
-                    self._say(f"no lists of rosdep beside the base image: {error.message}")
-                    return None
-                if found:
+                pinned = place._replace(reference=pin or place.reference)
+                if lists := self._fetched(registries(place.host), pinned):
                     self._say(f"rosdep's lists {place}")
-                    return found
-        if named or pin:
-            text = f"there are no lists of rosdep {pin or named}" + (
-                f" (looked for {', '.join(names)})" if names else ""
-            )
-            text = text if pin else f"{TYPED} names {named}: {text}"
-            raise RosmlError(text, "check the name; 'rosml publish rosdep' publishes them", exit_code=2)
+                    return lists
         return None
 
     def _cached(self, digest: str) -> Path:
@@ -231,19 +208,18 @@ class Finder:
             text = f"{place} has no lists of rosdep"
             raise RosmlError(text, "name what 'rosml publish rosdep' published", exit_code=2)
         out = self._cached(manifest.digest)
-        folder = out.parent
         if not out.is_dir():
-            folder.mkdir(parents=True, exist_ok=True)
-            old = sorted(folder.iterdir(), key=lambda path: path.stat().st_mtime)[: 1 - KEPT]
-            new = Path(tempfile.mkdtemp(dir=folder))
+            out.parent.mkdir(parents=True, exist_ok=True)
+            oldest = sorted(out.parent.iterdir(), key=lambda path: path.stat().st_mtime)[: 1 - KEPT]
+            new = Path(tempfile.mkdtemp(dir=out.parent))
             try:
                 unpack(registry.part(place.repository, layers[0]), new, str(place))
                 new.chmod(0o755)
                 _move(new, out)
-                for path in old:
-                    shutil.rmtree(path, ignore_errors=True)
             finally:
                 shutil.rmtree(new, ignore_errors=True)
+            for path in oldest:
+                shutil.rmtree(path, ignore_errors=True)
         return out, manifest.digest
 
 
@@ -257,29 +233,24 @@ def _move(new: Path, out: Path) -> None:
 
 
 def unpack(content: bytes, folder: Path, what: str) -> None:
-    """Unpacks the lists into a folder.
+    """Unpacks the lists into a folder. A link, or a name that leads out of it, is left out.
 
     Args:
         what: the archive's name in messages.
-
-    Raises:
-        RosmlError: the archive is damaged or too large, or the disk is full.
     """
-    room, files = LARGEST, FILES
+    room, count = LARGEST, FILES
     try:
         with tarfile.open(fileobj=io.BytesIO(content), mode="r:gz", tarinfo=archives.Entry) as tar:
             while member := tar.next():
                 tar.members.clear()  # type: ignore[attr-defined] # tarfile would keep them all
-                files -= 1
-                if files < 0:
+                count -= 1
+                if count < 0:
                     raise ValueError(f"it has more than {FILES:,} files")
-                if tar.offset > LARGEST or member.size > LARGEST:
+                takes = member.isreg() and _PATH.fullmatch(member.name) is not None
+                room -= member.size if takes else 0
+                if tar.offset > LARGEST or member.size > LARGEST or room < 0:
                     raise ValueError(f"it has more than {LARGEST >> 20} MiB")
-                stream = tar.extractfile(member) if member.isreg() and _PATH.fullmatch(member.name) else None
-                if stream:
-                    room -= member.size
-                    if room < 0:
-                        raise ValueError(f"it has more than {LARGEST >> 20} MiB")
+                if takes and (stream := tar.extractfile(member)):
                     (folder / member.name).parent.mkdir(parents=True, exist_ok=True)
                     (folder / member.name).write_bytes(stream.read())
     except (tarfile.TarError, zlib.error, EOFError, OSError, ValueError, OverflowError) as error:

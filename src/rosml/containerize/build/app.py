@@ -28,7 +28,7 @@ from rosml.containerize.build.stage_cache import IDENTIFIED
 from rosml.containerize.inputs import Values
 from rosml.containerize.names import DESK, SLIM, Names
 from rosml.containerize.packages import manifest, workspace
-from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.sources import fetch as sources
 from rosml.containerize.sources.git import Access
 from rosml.images.image_set import restricted
@@ -597,28 +597,29 @@ class App:
             self._folder,
             cache=self._services.state / "cache" / "git",
             access=access,
-            local=values.allow_file_urls,
             say=self._say,
         )
         named = values.downstream_workspace
-        upstream = fetch(
-            self._state / "upstream",
+        options = sources.Options(
             recursive=values.enable_recursive_vcs_import,
             file=values.vcs_import_file,
             without=named,
             pins=locked.repositories if locked else None,
+            local=values.allow_file_urls,
         )
+        upstream = fetch(self._state / "upstream", options=options)
         place = self._state / "downstream"
         if not named:
             shutil.rmtree(place, ignore_errors=True)
             place.mkdir()
             return upstream, []
-        if not within.there(self._folder / named, self._folder):
+        if not within.exists(self._folder / named, self._folder):
             text = f"downstream-workspace: there is no file {named} in {self._folder}"
             raise RosmlError(text, "name a .repos file there; other forms of industrial_ci do not count", exit_code=2)
         # If it was added after the lock file was written, it is the newest.
         pins = locked.downstream if locked and locked.downstream else None
-        return upstream, fetch(place, recursive=False, file=named, pins=pins)
+        options = replace(options, recursive=False, file=named, without="", pins=pins)
+        return upstream, fetch(place, options=options)
 
     def _inputs(
         self, base: app_base.Base, slim: app_base.Base | None, locked: lock.Lock | None
@@ -639,7 +640,7 @@ class App:
             raise RosmlError(text, "add --ros-distro, such as jazzy", exit_code=2)
         names = ("upstream", "downstream", "manifests", "requests", "empty")
         upstream, downstream, manifests, requests, empty = (state / name for name in names)
-        private = workspace.stage(folder, state / "staged" / "target", self._lock_file, LeftOut(folder))
+        private = workspace.stage(folder, state / "staged" / "target", self._lock_file, IgnoredFiles(folder))
         empty.mkdir(parents=True, exist_ok=True)
         roots = {"target": folder, "upstream": upstream, "downstream": downstream}
         named = app_bake_file.mirrors_with_a_password(self._environment)

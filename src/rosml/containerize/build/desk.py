@@ -22,7 +22,7 @@ from rosml.containerize.build import bake_file as app_bake_file
 from rosml.containerize.build import stage_cache
 from rosml.containerize.inputs import Values
 from rosml.containerize.packages import workspace
-from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.sources import repos_file
 
 KEPT = ".rosml/dev"
@@ -115,14 +115,14 @@ def key(folder: Path, said: Values) -> str:
     Raises:
         RosmlError: an input cannot be read, or is wrong (exit code 2).
     """
-    left = LeftOut(folder)
-    read_files = [*workspace.manifests(folder, left=left)]
-    read_files += repos_file.found(folder) if said.enable_recursive_vcs_import else [folder / said.vcs_import_file]
+    left = IgnoredFiles(folder)
+    read_files = [*workspace.manifests(folder, ignored=left)]
+    read_files += repos_file.find(folder) if said.enable_recursive_vcs_import else [folder / said.vcs_import_file]
     read_files.append(lock.place(folder, said.lock_file, renew=False))
     secret = {name.replace("-", "_") for name in app_inputs.SECRET}
     facts: list[object] = [__version__, sorted(item for item in asdict(said).items() if item[0] not in secret)]
     for path in read_files:
-        content = files.regular(path, app_inputs.LARGEST_TEXT) or b""
+        content = files.regular(path, workspace.LARGEST_TEXT) or b""
         facts.append([os.path.relpath(path, folder), hashlib.sha256(content).hexdigest()])
     with tempfile.TemporaryDirectory() as scratch:
         requests = Path(scratch, "requests")

@@ -99,7 +99,7 @@ def tags(target: str, values: Values, what: Commit) -> list[str]:
         what: the commit.
     """
     end = "" if target == "run" else f"-{target}"
-    own = values.image_tag if target == "run" else values.named(f"{target}-image-tag") or f"{values.image_tag}{end}"
+    own = values.image_tag if target == "run" else values.text(f"{target}-image-tag") or f"{values.image_tag}{end}"
     latest = values.enable_push_as_latest
     if what.tag:
         release = _TAG.sub("-", what.tag)

@@ -152,7 +152,7 @@ def _env(project: Project) -> Iterator[str]:
 
 
 def assigned(name: str, value: str) -> str:
-    """A line of `.env`, which a shell and `app_inputs.read_env` read alike."""
+    """A line of `.env`, which a shell and `env_file.read` read alike."""
     return f"{name}={shlex.quote(value)}"
 
 
@@ -170,7 +170,7 @@ def _dockerignore(project: Project) -> Iterator[str]:
     yield "# What neither rosml containerize nor docker build gets."
     yield from (".git", "**/__pycache__", ".venv", ".vscode")
     tops = {folder.split("/")[0] for folder in project.packages}
-    yield from sorted({*ignored.MADE, *CATKIN.split()} - tops)
+    yield from sorted({*ignored.OUTPUT_FOLDERS, *CATKIN.split()} - tops)
     yield "# Files that change no image: without them here, each change would build everything again."
     yield from (app_inputs.FILE, defaults.PROJECT, DOCKERFILE, ".dockerignore", ".github", GITLAB)
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from rosml.base import files
 from rosml.containerize import within
 from rosml.containerize.packages import manifest, workspace
-from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.packages.manifest import Package
 
 LARGEST = 1 << 20
@@ -54,14 +54,14 @@ class FolderScan:
 
 def find(folder: Path, libraries: Libraries) -> FolderScan:
     """Finds the packages of a folder, as `rosml containerize` does, and where they mention libraries."""
-    ignored = LeftOut(folder)
+    ignored = IgnoredFiles(folder)
     manifests = manifest.read(folder, ignored)
     if not manifests:
         raise workspace.none_in(folder)
     budget = iter(range(MOST_FILES))
     scans = [_scan(package, folder, ignored, libraries, budget) for package, _ in manifests]
     paths = dict.fromkeys([Path(PIP), *(package.folder / PIP for package, _ in manifests)])
-    pip = [str(path) for path in paths if (folder / path).is_file() and within.is_own(folder / path, folder)]
+    pip = [str(path) for path in paths if (folder / path).is_file() and within.is_inside(folder / path, folder)]
     pip = [name for name in pip if name.isprintable()]
     mentions = [_in_manifests(manifests, libraries), *(of_package for _, of_package in scans)]
     if PIP in pip:
@@ -93,7 +93,7 @@ def _in_manifests(manifests: Sequence[tuple[Package, str]], libraries: Libraries
 
 
 def _scan(
-    package: Package, folder: Path, ignored: LeftOut, libraries: Libraries, budget: Iterator[int]
+    package: Package, folder: Path, ignored: IgnoredFiles, libraries: Libraries, budget: Iterator[int]
 ) -> tuple[Package, Mentions]:
     """A package with what its files say, and what they mention. `budget` has an item for each source file that may still be read."""
     languages, launches, scripts = set[str](), list[str](), list[str]()
@@ -132,7 +132,7 @@ def _in_text(file: Path, path: str, text: str, libraries: Libraries) -> Mentions
     return mentions
 
 
-def _files(place: Path, ignored: LeftOut) -> Iterator[Path]:
+def _files(place: Path, ignored: IgnoredFiles) -> Iterator[Path]:
     for path, folders, names in os.walk(place):
         folders[:] = sorted(
             name for name in folders if not name.startswith(".") and not ignored.whole(Path(path, name))

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 
 _TOKEN = re.compile(r"""\s*(==|!=|<=|>=|<|>|\(|\)|"[^"]*"|'[^']*'|\$?[\w.-]+)\s*""")
 
-_COMPARED: Mapping[str, Callable[[str, str], bool]] = {
+_COMPARISONS: Mapping[str, Callable[[str, str], bool]] = {
     "==": operator.eq,
     "!=": operator.ne,
     "<": operator.lt,
@@ -17,8 +17,8 @@ _COMPARED: Mapping[str, Callable[[str, str], bool]] = {
     ">=": operator.ge,
 }
 
-MOST = 1_000
-"""The most characters of a condition."""
+LONGEST = 1_000
+"""Characters."""
 
 
 def holds(text: str, variables: Mapping[str, str]) -> bool:
@@ -31,50 +31,50 @@ def holds(text: str, variables: Mapping[str, str]) -> bool:
         return True
     try:
         tokens = _tokens(text)
-        found = _either(tokens, variables)
-        return found if not tokens else True
+        value = _either(tokens, variables)
     except (LookupError, RecursionError, ValueError):
         return True
+    return value or bool(tokens)
 
 
 def _tokens(text: str) -> list[str]:
-    """The tokens, the last one first. ValueError: the text has something else."""
-    found, place = list[str](), 0
+    """The tokens, the last one first."""
+    tokens, place = list[str](), 0
     while place < len(text):
         token = _TOKEN.match(text, place)
-        if token is None or len(text) > MOST:
+        if token is None or len(text) > LONGEST:
             raise ValueError(text)
-        found.append(token[1])
+        tokens.append(token[1])
         place = token.end()
-    return found[::-1]
+    return tokens[::-1]
 
 
 def _either(tokens: list[str], variables: Mapping[str, str]) -> bool:
-    found = _both(tokens, variables)
+    value = _both(tokens, variables)
     while tokens and tokens[-1] == "or":
         tokens.pop()
-        found = _both(tokens, variables) or found
-    return found
+        value = _both(tokens, variables) or value
+    return value
 
 
 def _both(tokens: list[str], variables: Mapping[str, str]) -> bool:
-    found = _one(tokens, variables)
+    value = _comparison(tokens, variables)
     while tokens and tokens[-1] == "and":
         tokens.pop()
-        found = _one(tokens, variables) and found
-    return found
+        value = _comparison(tokens, variables) and value
+    return value
 
 
-def _one(tokens: list[str], variables: Mapping[str, str]) -> bool:
+def _comparison(tokens: list[str], variables: Mapping[str, str]) -> bool:
     first = tokens.pop()
     if first == "(":
-        found = _either(tokens, variables)
+        value = _either(tokens, variables)
         if tokens.pop() != ")":
             raise ValueError(first)
-        return found
-    compared = _COMPARED[tokens.pop()]
-    return compared(_value(first, variables), _value(tokens.pop(), variables))
+        return value
+    compare = _COMPARISONS[tokens.pop()]
+    return compare(_text(first, variables), _text(tokens.pop(), variables))
 
 
-def _value(token: str, variables: Mapping[str, str]) -> str:
+def _text(token: str, variables: Mapping[str, str]) -> str:
     return variables.get(token[1:], "") if token.startswith("$") else token.strip("\"'")

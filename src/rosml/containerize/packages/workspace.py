@@ -14,27 +14,32 @@ from xml.etree import ElementTree
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.problems import near
-from rosml.containerize import inputs as app_inputs
-from rosml.containerize import within
+from rosml.containerize import inputs, within
 from rosml.containerize.inputs import Values
-from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.sources.store import is_pointer
 from rosml.containerize.within import SECRET
 
 BLACKLIST = "blacklist"
 """The request that names packages to leave out."""
 
-IGNORED = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
+HIDING = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that keep colcon from looking for packages in a folder."""
 
 MANIFEST, PLAIN = "package.xml", "CMakeLists.txt"
 """The file of a ROS package, and that of a package for CMake alone."""
 
+LARGEST_TEXT = 1 << 20
+"""Bytes of a list or a script of a repository."""
+
 _PROJECT = re.compile(r"""^[ \t]*project[ \t]*\([ \t]*"?([\w.+-]+)""", re.IGNORECASE | re.MULTILINE)
 """The name of the package in a CMakeLists.txt, as colcon reads it."""
 
+_READABLE = 0o444
+"""The permissions that let everybody read a file."""
 
-def manifests(root: Path, beyond: list[Path] | None = None, left: LeftOut | None = None) -> Iterator[Path]:
+
+def manifests(root: Path, beyond: list[Path] | None = None, ignored: IgnoredFiles | None = None) -> Iterator[Path]:
     """The package.xml of the packages below a folder, as colcon finds them, and the files that hide packages. For folders outside of
     packages, the CMakeLists.txt.
 
@@ -42,31 +47,30 @@ def manifests(root: Path, beyond: list[Path] | None = None, left: LeftOut | None
 
     Args:
         beyond: a list that gets such links.
-        left: files and folders that are not sent to the builder; they have no packages.
+        ignored: files and folders that have no packages, as they are not sent to the builder.
     """
-    seen: set[str] = set()
+    visited: set[str] = set()
     for folder, folders, names in os.walk(root, followlinks=True):
         real = os.path.realpath(folder)
-        if real in seen:
+        if real in visited:
             folders.clear()
             continue
-        seen.add(real)
-        out = [
-            name for name in folders if Path(folder, name).is_symlink() and not within.is_own(Path(folder, name), root)
-        ]
+        visited.add(real)
+        out = [name for name in folders if _leads_out(Path(folder, name), root)]
         if beyond is not None:
             beyond += [Path(folder, name) for name in out]
         folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in out)
-        if left:
-            folders[:] = [name for name in folders if not left.whole(Path(folder, name))]
-            names = [name for name in names if not left(Path(folder, name))]
-        hidden = [name for name in IGNORED if name in names]
-        if hidden:
-            yield Path(folder, hidden[0])
-        elif found := next((name for name in (MANIFEST, PLAIN) if name in names), ""):
-            yield Path(folder, found)
-        if hidden or MANIFEST in names:
+        if ignored:
+            folders[:] = [name for name in folders if not ignored.whole(Path(folder, name))]
+            names = [name for name in names if not ignored(Path(folder, name))]
+        markers = [name for name in (*HIDING, MANIFEST, PLAIN) if name in names][:1]
+        yield from (Path(folder, name) for name in markers)
+        if markers and markers != [PLAIN]:
             folders.clear()
+
+
+def _leads_out(path: Path, root: Path) -> bool:
+    return path.is_symlink() and not within.is_inside(path, root)
 
 
 def names(root: Path) -> Iterator[str]:
@@ -85,9 +89,6 @@ def write_manifests(
 
     Args:
         say: tells the user of links that are not searched for packages.
-
-    Raises:
-        RosmlError: the target and upstream have no package, or a manifest cannot be read or leads out of its folder (exit code 2).
     """
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
@@ -95,25 +96,8 @@ def write_manifests(
     for name, root in roots.items():
         (out / name).mkdir()
         beyond: list[Path] = []
-        left = LeftOut(root) if name == "target" else None
-        for path in manifests(root, beyond, left):
-            if path.name == PLAIN and not (within.is_own(path, root) and path.is_file()):
-                continue  # in a workspace, catkin's own file is a link to /opt/ros
-            target = out / name / path.relative_to(root)
-            target.parent.mkdir(parents=True, exist_ok=True)
-            if path.name in IGNORED:
-                target.touch()
-                continue
-            within.there(path, root)
-            try:
-                if path.name == PLAIN:
-                    text = path.read_text(errors="replace")
-                    target.write_text("".join(f"project({name})\n" for name in _PROJECT.findall(text)[:1]))
-                    continue
-                shutil.copyfile(path, target)
-            except OSError as error:
-                raise RosmlError(f"cannot read {path}: {error.strerror}", "check the file", exit_code=2) from None
-            count[name] += 1
+        for path in manifests(root, beyond, IgnoredFiles(root) if name == "target" else None):
+            count[name] += _write_manifest(path, root, out / name / path.relative_to(root))
         for path in beyond:
             say(f"{path} leads to {os.readlink(path)}, out of {root}: packages there are not yours, and are not built")
     if not count["target"] + count.get("upstream", 0):
@@ -121,8 +105,28 @@ def write_manifests(
     return count
 
 
+def _write_manifest(path: Path, root: Path, target: Path) -> bool:
+    """Copies what colcon needs of a file of `manifests`. Returns whether it is the manifest of a package."""
+    if path.name == PLAIN and not (within.is_inside(path, root) and path.is_file()):
+        return False  # in a workspace, catkin's own file is a link to /opt/ros
+    target.parent.mkdir(parents=True, exist_ok=True)
+    if path.name in HIDING:
+        target.touch()
+        return False
+    within.exists(path, root)
+    try:
+        if path.name == PLAIN:
+            text = path.read_text(errors="replace")
+            target.write_text("".join(f"project({name})\n" for name in _PROJECT.findall(text)[:1]))
+        else:
+            shutil.copyfile(path, target)
+    except OSError as error:
+        raise RosmlError(f"cannot read {path}: {error.strerror}", "check the file", exit_code=2) from None
+    return path.name == MANIFEST
+
+
 def none_in(folder: Path) -> RosmlError:
-    """The error about a folder without a package that counts (exit code 2)."""
+    """The error about a folder without a package that counts."""
     hides = any(path.name == MANIFEST for path in manifests(folder))
     return RosmlError(
         f"there is no package.xml in {folder}" + (", except what .dockerignore leaves out" if hides else ""),
@@ -132,7 +136,7 @@ def none_in(folder: Path) -> RosmlError:
     )
 
 
-def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | None = None) -> list[str]:
+def stage(folder: Path, out: Path, without: Path | None = None, ignored: IgnoredFiles | None = None) -> list[str]:
     """Makes the folder that the builder gets: links to the files of a repository, without git's folder, files of secrets and files
     that stay. If a link has an absolute path to another place of the folder, it becomes relative.
 
@@ -140,12 +144,15 @@ def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | 
 
     Args:
         without: one file that stays.
-        left: other files and folders that stay.
 
     Returns:
         Files that others may not read in the folder, as a checkout with umask 077 has them. Everybody may read them in `out`, since an
         image has many users.
     """
+
+    def stays(path: Path) -> bool:
+        return path.name in SECRET or path == without or (ignored is not None and ignored(path))
+
     private: list[str] = []
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
@@ -156,21 +163,15 @@ def stage(folder: Path, out: Path, without: Path | None = None, left: LeftOut | 
         folders[:] = [
             name
             for name in folders
-            if name not in SECRET and name not in links and not (left and left.whole(Path(path, name)))
+            if name not in SECRET and name not in links and not (ignored and ignored.whole(Path(path, name)))
         ]
         for name in folders:
             (place / name).mkdir()
             (place / name).chmod(0o755)
-        for name in [*names, *links]:
-            source = Path(path, name)
-            stays = name in SECRET or source == without or (left and left(source))
-            if not stays and _link(source, place / name, folder):
+        for source in (Path(path, name) for name in (*names, *links)):
+            if not stays(source) and _link(source, place / source.name, folder):
                 private.append(os.path.relpath(source, folder))
     return private
-
-
-_READABLE = 0o444
-"""The permissions that let everybody read a file."""
 
 
 def _link(source: Path, target: Path, root: Path) -> bool:
@@ -179,7 +180,7 @@ def _link(source: Path, target: Path, root: Path) -> bool:
     facts = source.lstat()
     if stat.S_ISLNK(facts.st_mode):
         leads = os.readlink(source)
-        if os.path.isabs(leads) and within.is_own(source, root):
+        if os.path.isabs(leads) and within.is_inside(source, root):
             leads = os.path.relpath(os.path.realpath(source), os.path.realpath(source.parent))
         target.symlink_to(leads)
     elif stat.S_ISREG(facts.st_mode):
@@ -196,16 +197,24 @@ def _link(source: Path, target: Path, root: Path) -> bool:
 
 def empty_submodules(folder: Path) -> list[str]:
     """The submodules of a repository that were not fetched: after a plain `git clone`, their folders are empty."""
-    with contextlib.suppress(OSError, RosmlError):
-        text = files.limited(folder / ".gitmodules", app_inputs.LARGEST_TEXT).decode(errors="replace")
-        values = re.findall(r"^[ \t]*+path[ \t]*+=(.*)$", text, re.MULTILINE)
-        paths = [
-            path
-            for value in values
-            if (path := value.strip().removeprefix('"').removesuffix('"').strip()) and '"' not in path
-        ]
-        return sorted(path for path in paths if path.isprintable() and not any(_listed(folder / path)))
-    return []
+    try:
+        text = files.limited(folder / ".gitmodules", LARGEST_TEXT).decode(errors="replace")
+    except OSError:
+        return []
+    values = (value.strip() for value in re.findall(r"^[ \t]*+path[ \t]*+=(.*)$", text, re.MULTILINE))
+    paths = (value.removeprefix('"').removesuffix('"').strip() for value in values)
+    return sorted(
+        path for path in paths if path and '"' not in path and path.isprintable() and _is_empty(folder / path)
+    )
+
+
+def _is_empty(folder: Path) -> bool:
+    """Whether a folder is empty, missing or unreadable."""
+    try:
+        with os.scandir(folder) as entries:
+            return next(entries, None) is None
+    except OSError:
+        return True
 
 
 def pointers(staged: Path) -> list[str]:
@@ -214,19 +223,11 @@ def pointers(staged: Path) -> list[str]:
     Args:
         staged: the folder that `stage` wrote.
     """
-    there = [Path(path, name) for path, _, names in os.walk(staged) for name in names]
-    attributes = (path for path in there if path.name == ".gitattributes" and path.is_file())
+    paths = [Path(path, name) for path, _, names in os.walk(staged) for name in names]
+    attributes = (path for path in paths if path.name == ".gitattributes" and path.is_file())
     if not any(b"filter=lfs" in path.read_bytes() for path in attributes):
         return []
-    return sorted(str(path.relative_to(staged)) for path in there if is_pointer(path))
-
-
-def _listed(folder: Path) -> Iterator[os.DirEntry[str]]:
-    try:
-        with os.scandir(folder) as entries:
-            yield from entries
-    except OSError:
-        return
+    return sorted(str(path.relative_to(staged)) for path in paths if is_pointer(path))
 
 
 def stale(requests: Path, manifests: Path) -> Iterator[str]:
@@ -235,74 +236,98 @@ def stale(requests: Path, manifests: Path) -> Iterator[str]:
     Args:
         requests, manifests: the folders that `write_requests` and `write_manifests` wrote.
     """
-    known = sorted(names(manifests))
+    packages = sorted(names(manifests))
     for name in (requests / BLACKLIST).read_text().split():
-        if name not in known:
-            yield f"no package is called {name}, which is to be left out" + (
-                f"; {text}" if (text := near(name, known)) else ""
-            )
+        if name not in packages:
+            hint = near(name, packages)
+            yield f"no package is called {name}, which is to be left out{f'; {hint}' if hint else ''}"
 
 
 def additional_files(name: str, folder: Path) -> Path | None:
-    """The repository's folder of additional files; None if it has none.
-
-    Raises:
-        RosmlError: the named folder is missing, is no folder, or leads out of the repository (exit code 2).
-    """
+    """The repository's folder of additional files; None if it has none."""
     if not name:
         return None
     _require_named("additional-files-dir", name, folder, "folder")
-    return folder / name if within.there(folder / name, folder, folder=True) else None
+    return folder / name if within.exists(folder / name, folder, folder=True) else None
 
 
-def _require_named(name: str, value: str, folder: Path, kind: str) -> None:
+def _require_named(name: str, value: str, folder: Path, kind: str = "file") -> None:
     """Checks that a file or folder exists if the user named it; a default may be missing."""
-    if value != app_inputs.default(name) and not os.path.lexists(folder / value):
+    if value != inputs.default(name) and not os.path.lexists(folder / value):
         raise RosmlError(f"{name}: there is no {kind} {value} in {folder}", "check its name", exit_code=2)
 
 
 def write_requests(values: Values, folder: Path, upstream: Path, environment: Mapping[str, str], out: Path) -> None:
     """Writes the requests: additional packages, scripts, and packages to leave out. Each has a file, which is empty if the repository
-    has none.
-
-    Raises:
-        RosmlError: a named file is missing, or cannot be read (exit code 2).
-    """
+    has none."""
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
-    roots = (folder, upstream)
 
-    def said(name: str, recursive: str = "") -> str:
-        every = bool(recursive) and values.named(recursive) == "true"
-        if not values.named(name):
-            return ""
-        if not every:
-            _require_named(name, values.named(name), folder, "file")
-        return app_inputs.text_of(folder, values.named(name), every, roots)
+    def text(name: str, recursive: str = "") -> str:
+        path = values.text(name)
+        every = bool(recursive) and values.text(recursive) == "true"
+        if path and not every:
+            _require_named(name, path, folder)
+        return text_of(folder, path, (folder, upstream) if every else ()) if path else ""
 
-    debs = app_inputs.lines_of(said("additional-debs-file", "enable-recursive-additional-debs"))
+    debs = lines_of(text("additional-debs-file", "enable-recursive-additional-debs"))
     if values.rmw_implementation and environment.get("ROS_VERSION") != "1":
         distribution = values.ros_distro or environment.get("ROS_DISTRO", "")
         debs.append(f"ros-{distribution}-{values.rmw_implementation.replace('_', '-')}")
     for name in debs:
         if not re.fullmatch(r"[a-z0-9][a-z0-9.+-]*(:[a-z0-9-]+)?(=\S+)?", name):
-            where = values.additional_debs_file
-            raise RosmlError(f"{where}: {name!r} is no package of apt", "write one a line: name or name=version", 2)
-    texts = {
+            problem = f"{values.additional_debs_file}: {name!r} is no package of apt"
+            raise RosmlError(problem, "write one a line: name or name=version", exit_code=2)
+    blacklist = lines_of(text("blacklisted-packages-file", "enable-recursive-blacklisted-packages"))
+    before, after = "before-dependency-installation-script", "after-dependency-installation-script"
+    requests = {
         "apt": "".join(f"{line}\n" for line in debs),
-        "pip": said("additional-pip-file", "enable-recursive-additional-pip"),
-        BLACKLIST: "".join(
-            f"{line}\n"
-            for line in app_inputs.lines_of(said("blacklisted-packages-file", "enable-recursive-blacklisted-packages"))
-        ),
-        "identification.sh": said("before-dependency-identification-script"),
-        "before.sh": said(
-            "before-dependency-installation-script", "enable-recursive-before-dependency-installation-script"
-        ),
-        "after.sh": said(
-            "after-dependency-installation-script", "enable-recursive-after-dependency-installation-script"
-        ),
+        "pip": text("additional-pip-file", "enable-recursive-additional-pip"),
+        BLACKLIST: "".join(f"{line}\n" for line in blacklist),
+        "identification.sh": text("before-dependency-identification-script"),
+        "before.sh": text(before, f"enable-recursive-{before}"),
+        "after.sh": text(after, f"enable-recursive-{after}"),
     }
-    for name, text in texts.items():
-        (out / name).write_text(text)
+    for name, content in requests.items():
+        (out / name).write_text(content)
     (out / "identification.sh").chmod(0o755)  # it runs by its first line
+
+
+def text_of(folder: Path, name: str, roots: tuple[Path, ...] = ()) -> str:
+    """The text of a file of the repository; empty if there is none.
+
+    Args:
+        roots: if there are some, the text of all files of that name below them.
+    """
+    paths = [(path, root) for root in roots for path in _of_name(os.path.basename(name), root)]
+    texts = [_text(path, root) for path, root in (paths if roots else [(folder / name, folder)])]
+    return "".join(text if text.endswith("\n") or not text else f"{text}\n" for text in texts)
+
+
+def _text(path: Path, root: Path) -> str:
+    if not within.exists(path, root):
+        return ""
+    try:
+        content = files.limited(path, LARGEST_TEXT)
+        if len(content) > LARGEST_TEXT:
+            raise RosmlError(f"{path} has more than {LARGEST_TEXT >> 20} MiB", "check the file", exit_code=2)
+        return content.decode().replace("\r\n", "\n")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "not UTF-8"
+        raise RosmlError(f"cannot read {path}: {reason}", "check the file", exit_code=2) from None
+
+
+def _of_name(name: str, root: Path) -> list[Path]:
+    """All files and folders of a name below a folder, also broken links, without those of git."""
+    paths = []
+    for path, folders, names in os.walk(root):
+        folders[:] = [below for below in folders if below != ".git"]
+        if name in folders or name in names:
+            paths.append(Path(path, name))
+    return sorted(paths)
+
+
+def lines_of(text: str) -> list[str]:
+    """The lines of a list, without comments and empty ones."""
+    stripped = ((re.sub(r"(^|\s)#.*", "", line) if "#" in line else line).strip() for line in text.split("\n"))
+    return [line for line in stripped if line]

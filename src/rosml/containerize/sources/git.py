@@ -30,9 +30,7 @@ class Access:
     Attributes:
         https_server: the only server that gets user and password: `github.com`, `git.example.org:8443`. git asks it by https,
             unless it is written as `http://…`.
-        https_user: the user; any name if the password is a token; `git` if empty.
-        https_password: the password or token.
-        ssh_key: a private key, as text.
+        https_user: `git` if empty; any name if the password is a token.
         ssh_known_hosts: lines of a known_hosts file; a key needs them.
     """
 
@@ -46,7 +44,6 @@ class Access:
 Setting = tuple[str, str]
 """A name and a value of git's configuration. If two have the same name, the later one wins; helpers add up."""
 
-
 _BOILERPLATE = (
     "fatal: Could not read from remote repository",
     "Please make sure you have the correct access rights",
@@ -55,30 +52,29 @@ _BOILERPLATE = (
 )
 """git's lines after each failure of ssh."""
 
-
 _BUSY = re.compile(rf"The requested URL returned error: ({'|'.join(map(str, web.BUSY))})\b")
 """git's message about a server that may answer otherwise a moment later."""
 
 
 class Failed(Exception):
-    """A call of git that failed."""
+    """A call of git that failed. `stderr` has no secrets."""
 
-    def __init__(self, said: str) -> None:
-        super().__init__(said)
-        self.said = said
-        """git's standard error, without secrets."""
+    def __init__(self, stderr: str) -> None:
+        super().__init__(stderr)
+        self.stderr = stderr
 
     @property
     def reason(self) -> str:
         """The last line about this failure."""
-        lines = [line.strip() for line in self.said.splitlines()]
+        lines = [line.strip() for line in self.stderr.splitlines()]
         telling = [line for line in lines if line and not line.startswith(_BOILERPLATE)]
         return re.sub(r"^(fatal|error|remote): ", "", (telling or lines or [""])[-1])
 
     @property
     def could_not_write(self) -> bool:
-        """Whether git could not write: the disk is full, or another reason, which git often does not say."""
-        return any(text in self.said for text in ("No space left on device", "Disk quota exceeded", "unable to write"))
+        """Whether the disk is full. git often does not say the reason."""
+        reasons = ("No space left on device", "Disk quota exceeded", "unable to write")
+        return any(text in self.stderr for text in reasons)
 
 
 SETTINGS = {
@@ -138,13 +134,12 @@ class Git:
 
     @property
     def path(self) -> str:
-        """The PATH for programs."""
         return self._environment.get("PATH", os.defpath)
 
     def __call__(
         self,
         *arguments: str,
-        given: bytes = b"",
+        stdin: bytes = b"",
         settings: Iterable[Setting] = (),
         environment: Mapping[str, str] | None = None,
     ) -> str:
@@ -152,19 +147,18 @@ class Git:
 
         Raises:
             Failed: git failed.
-            RosmlError: git is not installed, or somebody stopped it.
         """
         attempt = 0
         while True:
             attempt += 1
             try:
-                return self._call(arguments, given, settings, environment or {})
+                return self._call(arguments, stdin, settings, environment or {})
             except Failed as error:
-                if not _BUSY.search(error.said) or not web.waited(attempt):
+                if not _BUSY.search(error.stderr) or not web.waited(attempt):
                     raise
 
     def _call(
-        self, arguments: Sequence[str], given: bytes, settings: Iterable[Setting], environment: Mapping[str, str]
+        self, arguments: Sequence[str], stdin: bytes, settings: Iterable[Setting], environment: Mapping[str, str]
     ) -> str:
         options = [word for name, value in (*self._settings, *settings) for word in ("-c", f"{name}={value}")]
         try:
@@ -184,7 +178,7 @@ class Git:
             if self._stopped:
                 process.terminate()
         try:
-            out, err = process.communicate(given)
+            out, err = process.communicate(stdin)
         finally:
             with self._guard:
                 self._running.discard(process)
@@ -214,13 +208,11 @@ def opened(access: Access, folder: Path) -> Iterator[Git]:
 
     Args:
         folder: the folder in which git runs. A repository around it does not count.
-
-    Raises:
-        RosmlError: the access lacks something (exit code 2), or git is not installed.
     """
-    environment = _environment(folder)
-    settings = (*SETTINGS.items(), *_https(access, environment))
-    hidden = access.https_password.strip("\r\n")
+    credentials, variables = _https(access)
+    environment = {**_environment(folder), **variables}
+    settings = (*SETTINGS.items(), *credentials)
+    hidden = variables.get("ROSML_GIT_PASSWORD", "")
     with tempfile.TemporaryDirectory(prefix="rosml-") as private:
         command = _ssh(access, Path(private))
         if not command and not _has_ssh(Git(folder, environment, settings, hidden), environment):
@@ -251,11 +243,11 @@ def _environment(folder: Path) -> dict[str, str]:
     }
 
 
-def _https(access: Access, environment: dict[str, str]) -> tuple[Setting, ...]:
-    """Settings that give user and password to one server. The user's own helpers see neither, and store neither."""
+def _https(access: Access) -> tuple[tuple[Setting, ...], dict[str, str]]:
+    """Settings and variables that give user and password to one server. The user's own helpers see neither, and store neither."""
     user, password = access.https_user.strip(), access.https_password.strip("\r\n")
     if not password:
-        return ()
+        return (), {}
     server = access.https_server.strip().rstrip("/")
     server = server if server.startswith("http://") else f"https://{server.removeprefix('https://')}"
     if not re.fullmatch(r"https?://[A-Za-z0-9._:\[\]-]+", server):
@@ -264,9 +256,9 @@ def _https(access: Access, environment: dict[str, str]) -> tuple[Setting, ...]:
     if not (user + password).isprintable():
         text = "GIT_HTTPS_USER or GIT_HTTPS_PASSWORD has several lines"
         raise RosmlError(text, "give each of them in one line", exit_code=2)
-    environment |= {"ROSML_GIT_USER": user or "git", "ROSML_GIT_PASSWORD": password}
     name = f"credential.{server}.helper"
-    return (name, ""), (name, _HELPER)  # the empty one drops helpers before it
+    settings = (name, ""), (name, _HELPER)  # the empty one drops helpers before it
+    return settings, {"ROSML_GIT_USER": user or "git", "ROSML_GIT_PASSWORD": password}
 
 
 def _ssh(access: Access, private: Path) -> str:

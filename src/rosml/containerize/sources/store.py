@@ -1,4 +1,4 @@
-"""A cache of bare git repositories: one for each URL, with the wanted commits.
+"""A cache of bare git repositories: one for each URL, with the commits that builds need.
 
 If a repository is damaged, it is removed and fetched again. You may remove all of them at any time.
 """
@@ -21,9 +21,8 @@ from rosml.containerize.sources.git import LFS, Failed, Git, Setting
 from rosml.containerize.sources.versions import Version, resolve
 
 _POINTER = b"version https://git-lfs.github.com/spec/v1\n"
-_POINTER_BYTES = 1024
-"""The most bytes of an LFS pointer."""
-
+_LARGEST_POINTER = 1024
+"""Bytes."""
 
 T = TypeVar("T")
 
@@ -34,8 +33,6 @@ class _Unreachable(Failed):
 
 @dataclass(frozen=True)
 class _Submodule:
-    """A submodule of a commit: its folder, its URL as written and its commit."""
-
     path: str
     url: str
     commit: str
@@ -51,46 +48,37 @@ class Store:
         self._turns: dict[str, Lock] = {}  # for this process' threads, by URL
 
     def commit(self, url: str, version: Version) -> str:
-        """The whole hash of a version.
-
-        Raises:
-            Failed: git could not fetch it.
-            RosmlError: there is no such commit (exit code 2).
-        """
+        """The whole hash of a version."""
         return version.commit if version.is_exact else self._with(url, lambda kept: self._have(kept, url, version))
 
     def has_pinned(self, url: str, version: str, commit: str) -> bool:
         """Whether a version names a commit, or has named it: it is the commit of that tag or branch, or in its history.
 
         By its hash, a forge gives every commit of a network of forks, also those of pull requests that nobody has reviewed.
-        Commits that were found once are remembered. Otherwise this asks the server for its names. If the version names another
+        Commits that passed once are remembered. Otherwise this asks the server for its names. If the version names another
         commit now, it fetches the history too, without files if the server can leave them out.
 
         Args:
             version: as the user wrote it.
             commit: a whole hash.
-
-        Raises:
-            Failed: git could not fetch it.
-            RosmlError: the server has no such version (exit code 2).
         """
 
         def check(kept: Path) -> bool:
-            found = f"refs/pinned/{hashlib.sha256(version.encode()).hexdigest()[:32]}/{commit}"
-            if self._known(kept, found):
+            checked = f"refs/pinned/{hashlib.sha256(version.encode()).hexdigest()[:32]}/{commit}"
+            if self._commit_of(kept, checked):
                 return True
             try:
-                named = resolve(self._git, url, version)
+                present = resolve(self._git, url, version)
             except Failed as error:
-                raise _Unreachable(error.said) from None
-            if named.commit != commit and not (
-                self._leads_to(url, [named.ref], commit)
-                if named.ref
-                else commit.startswith(named.commit) and self._leads_to(url, ["refs/heads/*", "refs/tags/*"], commit)
+                raise _Unreachable(error.stderr) from None
+            if present.commit != commit and not (
+                self._leads_to(url, [present.ref], commit)
+                if present.ref
+                else commit.startswith(present.commit) and self._leads_to(url, ["refs/heads/*", "refs/tags/*"], commit)
             ):
                 return False
-            self._have(kept, url, replace(named, commit=commit))
-            self._git(f"--git-dir={kept}", "update-ref", found, commit)
+            self._have(kept, url, replace(present, commit=commit))
+            self._git(f"--git-dir={kept}", "update-ref", checked, commit)
             return True
 
         return self._with(url, check)
@@ -101,25 +89,16 @@ class Store:
         remote = {"url": url, "promisor": "true", "partialclonefilter": "tree:0"}
         settings = [(f"remote.rosml.{name}", value) for name, value in remote.items()]
         with tempfile.TemporaryDirectory(dir=self._folder, prefix="history-") as folder:
-            git_dir, wanted = f"--git-dir={folder}", [f"+{ref}:refs/named/{ref}" for ref in refs]
+            git_dir, refspecs = f"--git-dir={folder}", [f"+{ref}:refs/named/{ref}" for ref in refs]
             self._git("init", "--quiet", "--bare", "--template=", folder)
-            self._git(git_dir, "fetch", "--quiet", "--no-tags", "rosml", *wanted, settings=settings)
+            self._git(git_dir, "fetch", "--quiet", "--no-tags", "rosml", *refspecs, settings=settings)
             # Without `merge-base`, which would fetch a missing commit.
             return commit in self._git(git_dir, "rev-list", "--all").split()
 
     def write(self, url: str, version: Version, into: Path) -> None:
-        """Empties a folder, then writes the files of a version and of its submodules into it.
-
-        Raises:
-            Failed: git could not fetch it.
-            RosmlError: there is no such commit (exit code 2), or it needs git-lfs.
-        """
-
-        def checkout(kept: Path) -> list[_Submodule]:
-            commit = self._have(kept, url, version)
-            return self._checkout(kept, url, commit, into)
-
-        for submodule in self._with(url, checkout):  # without the repository's lock: two may contain each other
+        """Empties a folder, then writes the files of a version and of its submodules into it."""
+        submodules = self._with(url, lambda kept: self._checkout(kept, url, self._have(kept, url, version), into))
+        for submodule in submodules:  # without the repository's lock: two may contain each other
             self._write_submodule(url, submodule, into)
 
     def _with(self, url: str, work: Callable[[Path], T]) -> T:
@@ -143,23 +122,23 @@ class Store:
         ref = f"refs/rosml/{version.commit}"
         if not (kept / "HEAD").is_file():
             self._git("init", "--quiet", "--bare", "--template=", str(kept))
-        if commit := self._known(kept, ref):
+        if commit := self._commit_of(kept, ref):
             return commit
         if not version.ref:
             try:
                 self._git("ls-remote", "--quiet", "--", url, "HEAD")
             except Failed as error:
-                raise _Unreachable(error.said) from None
+                raise _Unreachable(error.stderr) from None
         if version.is_exact:
             try:
                 self._git(git_dir, "fetch", "--quiet", "--depth=1", "--no-tags", "--", url, f"+{version.commit}:{ref}")
             except Failed as error:  # the server refuses single commits
                 if error.could_not_write:
                     raise
-            if commit := self._known(kept, ref):
+            if commit := self._commit_of(kept, ref):
                 return commit
         self._fetch_all(kept, url, version)
-        commit = self._known(kept, version.commit)
+        commit = self._commit_of(kept, version.commit)
         if not commit:
             raise RosmlError(f"it has no commit {version.commit}", "name a tag, a branch or a commit", exit_code=2)
         self._git(git_dir, "update-ref", ref, commit)
@@ -168,13 +147,13 @@ class Store:
     def _fetch_all(self, kept: Path, url: str, version: Version) -> None:
         git_dir = f"--git-dir={kept}"
         shallow = self._git(git_dir, "rev-parse", "--is-shallow-repository").strip() == "true"
-        wanted = ["+refs/heads/*:refs/all/heads/*", "+refs/tags/*:refs/all/tags/*"]
+        refspecs = ["+refs/heads/*:refs/all/heads/*", "+refs/tags/*:refs/all/tags/*"]
         if version.ref:
-            wanted.append(f"+{version.ref}:refs/named")
+            refspecs.append(f"+{version.ref}:refs/named")
         options = ["--quiet", "--prune", "--no-tags", *(["--unshallow"] if shallow else [])]
-        self._git(git_dir, "fetch", *options, "--", url, *wanted)
+        self._git(git_dir, "fetch", *options, "--", url, *refspecs)
 
-    def _known(self, kept: Path, name: str) -> str:
+    def _commit_of(self, kept: Path, name: str) -> str:
         """The commit of a name or a hash; empty if it is missing."""
         try:
             return self._git(f"--git-dir={kept}", "rev-parse", "--verify", "--quiet", f"{name}^{{commit}}").strip()
@@ -186,8 +165,8 @@ class Store:
         with tempfile.TemporaryDirectory(prefix="index-", dir=into.parent) as folder:
             environment = {"GIT_DIR": str(kept), "GIT_WORK_TREE": str(into), "GIT_INDEX_FILE": f"{folder}/index"}
 
-            def git(*arguments: str, given: bytes = b"", settings: Iterable[Setting] = ()) -> str:
-                return self._git(*arguments, given=given, settings=settings, environment=environment)
+            def git(*arguments: str, stdin: bytes = b"", settings: Iterable[Setting] = ()) -> str:
+                return self._git(*arguments, stdin=stdin, settings=settings, environment=environment)
 
             _empty(into)
             git("read-tree", "--reset", "-u", commit)
@@ -210,8 +189,8 @@ class Store:
         names = [str(file.relative_to(folder)) for file in folder.rglob("*") if is_pointer(file)]
         if not names:
             return False
-        given = "".join(f"{name}\0" for name in names).encode(errors="surrogateescape")
-        answers = git("check-attr", "--stdin", "-z", "filter", given=given).split("\0")
+        stdin = "".join(f"{name}\0" for name in names).encode(errors="surrogateescape")
+        answers = git("check-attr", "--stdin", "-z", "filter", stdin=stdin).split("\0")
         return "lfs" in answers[2::3]
 
     def _submodules(self, git: Callable[..., str], commit: str, links: Mapping[str, str]) -> list[_Submodule]:
@@ -255,7 +234,7 @@ def _link(line: str) -> tuple[str, str]:
 
 def is_pointer(file: Path) -> bool:
     """Whether a file of Git LFS is only a pointer."""
-    if file.is_symlink() or not file.is_file() or file.stat().st_size >= _POINTER_BYTES:
+    if file.is_symlink() or not file.is_file() or file.stat().st_size >= _LARGEST_POINTER:
         return False
     with file.open("rb") as stream:
         return stream.read(len(_POINTER)) == _POINTER

@@ -26,10 +26,8 @@ def beside(folder: Path, kind: str) -> Path:
 class Tree:
     """A folder with a folder for each repository. One process at a time may change it; its threads may do so together.
 
-    A repository is written elsewhere, and moved here when it is complete. A file beside the folder has the commits in it.
-
-    Raises:
-        RosmlError: the folder has files, but there is no such file (exit code 2): the files would be removed.
+    A repository is written elsewhere, and moved here when it is complete. A file beside the folder has the commits in it. Without
+    that file, a folder with files is refused, since they would be removed.
     """
 
     def __init__(self, folder: Path) -> None:
@@ -47,7 +45,6 @@ class Tree:
         self._staging.mkdir()
 
     def has(self, path: str, url: str, commit: str) -> bool:
-        """Whether a commit is here."""
         return self._here.get(path) == [url, commit] and (self._folder / path).is_dir()
 
     @contextlib.contextmanager
@@ -64,8 +61,8 @@ class Tree:
 
     def keep(self, paths: Collection[str]) -> None:
         """Removes all other repositories."""
-        wanted = {self._folder / path for path in paths}
-        around = {folder for path in wanted for folder in path.parents}
+        kept = {self._folder / path for path in paths}
+        around = {folder for path in kept for folder in path.parents}
         for path in self._here.keys() - set(paths):
             del self._here[path]
         self._save()
@@ -74,7 +71,7 @@ class Tree:
             for item in pending.pop().iterdir():
                 if item in around and item.is_dir() and not item.is_symlink():
                     pending.append(item)
-                elif item not in wanted:
+                elif item not in kept:
                     _remove(item)
         shutil.rmtree(self._staging)
 

@@ -11,7 +11,7 @@ _SCP = re.compile(r"(?:(?P<user>[^@:/]+)@)?(?P<host>\[[^]/]+\]|[^@:/\[]+):(?P<pa
 
 
 class Refused(ValueError):
-    """The error about a URL that is not allowed: a reason and a remedy. The text has no part of the URL that may be secret."""
+    """The error about a URL that is not allowed. Its text has no part of the URL that may be secret."""
 
     def __init__(self, text: str, remedy: str) -> None:
         super().__init__(text)
@@ -23,13 +23,10 @@ _NO_PASSWORD = "take it out of the file, and set GIT_HTTPS_USER and GIT_HTTPS_PA
 
 
 def checked(url: str, local: bool) -> str:
-    """A URL without its user, except the user of ssh.
+    """A URL without its user, except the user of ssh. Refuses passwords, other protocols, and what git could read in another way.
 
     Args:
-        local: whether a repository of this machine may be named.
-
-    Raises:
-        Refused: it holds a password, has another protocol, or git could read it in another way.
+        local: whether it may name a repository of this machine.
     """
     if not url or url.startswith("-") or not url.isprintable() or "\\" in url:
         raise Refused("the url is not valid", _WHOLE)
@@ -46,7 +43,7 @@ def checked(url: str, local: bool) -> str:
         raise Refused("the url holds a password", _NO_PASSWORD)
     if not host or host.startswith(("-", ":")) or user.startswith("-") or not path:
         raise Refused("the url has no host or no path", _WHOLE)
-    return f"{scheme}://{user if scheme == 'ssh' else ''}{at if scheme == 'ssh' else ''}{host}{slash}{path}"
+    return f"{scheme}://{user + at if scheme == 'ssh' else ''}{host}{slash}{path}"
 
 
 def _without_scheme(url: str, local: bool) -> str:

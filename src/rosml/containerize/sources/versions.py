@@ -28,7 +28,6 @@ class Version:
 
     @property
     def is_exact(self) -> bool:
-        """Whether the hash is whole."""
         return len(self.commit) == 40
 
 
@@ -36,27 +35,21 @@ _HASH = re.compile(r"[0-9a-fA-F]{7,40}")
 
 
 def resolve(git: Git, url: str, version: str) -> Version:
-    """Asks the server for a version. As with vcstool, a tag counts before a branch.
-
-    Raises:
-        Failed: the server does not answer, or has no such repository.
-        RosmlError: the repository has no such version (exit code 2).
-    """
+    """Asks the server for a version. As with vcstool, a tag counts before a branch."""
     if re.fullmatch(r"[0-9a-fA-F]{40}", version):
         return Version(version.lower())
     lines = [line.split("\t", 1) for line in git("ls-remote", "--quiet", "--", url).split("\n") if "\t" in line]
     refs = {name: commit for commit, name in lines}
-    wanted = version or "HEAD"
-    names = [wanted] if wanted == "HEAD" or wanted.startswith("refs/") else []
-    names += [f"refs/tags/{wanted}", f"refs/heads/{wanted}", f"refs/{wanted}"]
-    for name in names:
-        if name in refs:
-            tag = name.startswith("refs/tags/")
-            both = name == f"refs/tags/{wanted}" and f"refs/heads/{wanted}" in refs
-            return Version(refs.get(f"{name}^{{}}", refs[name]), name, not tag, both)
+    name = version or "HEAD"
+    tag, branch = f"refs/tags/{name}", f"refs/heads/{name}"
+    likely = [name] if name == "HEAD" or name.startswith("refs/") else []
+    for ref in (*likely, tag, branch, f"refs/{name}"):
+        if ref in refs:
+            commit = refs.get(f"{ref}^{{}}", refs[ref])  # the commit of an annotated tag
+            return Version(commit, ref, not ref.startswith("refs/tags/"), ref == tag and branch in refs)
     if _HASH.fullmatch(version):
         return Version(version.lower())
     if not version:
         raise RosmlError("it has no default branch, or no commit at all", "name a version", exit_code=2)
-    known = [match[1] for name in refs if (match := re.fullmatch(r"refs/(?:tags|heads)/(.*[^}])", name))]
-    raise RosmlError(f"it has no version {version!r}", near(version, known) or "name a tag, a branch or a commit", 2)
+    names = [match[1] for ref in refs if (match := re.fullmatch(r"refs/(?:tags|heads)/(.*[^}])", ref))]
+    raise RosmlError(f"it has no version {version!r}", near(version, names) or "name a tag, a branch or a commit", 2)
