@@ -37,8 +37,6 @@ class Input:
 
     Attributes:
         name: an option of the command and an input of the action, such as `base-image`.
-        help: its meaning, in one clause.
-        flag: whether it is `true` or `false`.
         gone: for inputs of docker-ros that are not used here: the reason, which we print.
         in_repository: whether `.env` may set it: YES, NO, UNPUSHED or WITH_SECRET.
     """
@@ -160,7 +158,7 @@ class Values:
     git_ssh_known_host_keys: str = _text("what ssh-keyscan says of their servers", in_repository=WITH_SECRET)
 
     def text(self, name: str) -> str:
-        """The text of an input, by its name, such as `dev-image-tag`."""
+        """The text of an input, such as `dev-image-tag`."""
         return _text_of(getattr(self, name.replace("-", "_")))
 
 
@@ -200,7 +198,7 @@ _IMAGE = "IMAGE"
 """The run image with its tag, as in docker-ros' local script: image-name and image-tag in one."""
 
 _INDUSTRIAL_CI = ("ROSDEP_SKIP_KEYS", "NOT_TEST_BUILD")
-"""Variables of industrial_ci with another name here. Those with the same name count anyway."""
+"""Variables of industrial_ci with another name here."""
 
 FILE = env_file.NAME
 
@@ -219,12 +217,7 @@ def default(name: str) -> str:
 
 
 def values(typed: Mapping[str, str | None], folder: Path, environment: Mapping[str, str]) -> Values:
-    """The values of all inputs.
-
-    Args:
-        typed: values of the command line; None if an input is not typed.
-        folder: the repository, which may have `.env`.
-    """
+    """The values of all inputs: from the command line, the environment, or the folder's `.env`."""
     file = folder / FILE
     variables = env_file.read(file)
     options = {name: value for name, value in typed.items() if value is not None}
@@ -239,11 +232,8 @@ def values(typed: Mapping[str, str | None], folder: Path, environment: Mapping[s
     for name in of_repository:
         if name not in of_person:
             _require_allowed(_BY_NAME[name], texts, of_person, file, variables)
-    return Values(**{name.replace("-", "_"): _value(_BY_NAME[name], text) for name, text in texts.items()})
-
-
-def _value(item: Input, text: str) -> Any:
-    return text == "true" if item.flag else text
+    chosen: dict[str, Any] = {name: text == "true" if _BY_NAME[name].flag else text for name, text in texts.items()}
+    return Values(**{name.replace("-", "_"): value for name, value in chosen.items()})
 
 
 def first_look(name: str, typed: Mapping[str, str], folder: Path, environment: Mapping[str, str]) -> str:
@@ -256,11 +246,7 @@ def first_look(name: str, typed: Mapping[str, str], folder: Path, environment: M
 
 
 def _by_name(variables: Mapping[str, str], splits_image: bool) -> dict[str, str]:
-    """The inputs that variables set. Empty variables do not count.
-
-    Args:
-        splits_image: whether `IMAGE` counts, before the variables for its name and its tag.
-    """
+    """The inputs that variables set, unless they are empty. With `splits_image`, IMAGE counts before those for its name and tag."""
     texts = {item.name: text for item in _USED if (text := variables.get(item.variable, ""))}
     if splits_image and (image := variables.get(_IMAGE, "")):
         name, colon, tag = image.rpartition(":")
@@ -273,13 +259,7 @@ def _by_name(variables: Mapping[str, str], splits_image: bool) -> dict[str, str]
 def _require_allowed(
     item: Input, values: Mapping[str, str], of_person: Mapping[str, str], file: Path, variables: Mapping[str, str]
 ) -> None:
-    """Checks that a repository may set an input.
-
-    Args:
-        values: the values of all inputs.
-        of_person: the values from the user.
-        variables: the variables of the repository's file.
-    """
+    """Checks that a repository's file with these variables may set an input."""
     value, secret = values[item.name], _SECRET_OF.get(item.name, "")
     allowed = {
         YES: True,

@@ -15,7 +15,7 @@ from typing import Annotated, Any
 
 from pydantic import AfterValidator, ConfigDict, Field, StringConstraints, ValidationError
 
-from rosml.base import files, untrusted
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.shapes import Shape
 from rosml.containerize import inputs, within
@@ -50,7 +50,7 @@ Requirement = Annotated[
 
 
 class Image(Shape):
-    """A base image, or rosdep's lists. The name is as the user wrote it; empty if the user gave none."""
+    """A base image, or rosdep's lists. The name is as the user wrote it; empty if there is none."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -58,7 +58,6 @@ class Image(Shape):
     digest: Digest
 
     def of(self, name: str) -> str:
-        """The digest, if the user names this image."""
         if self.name != name:
             names = [text or "none of that name" for text in (self.name, name)]
             raise RosmlError(f"the lock file is of {names[0]}, and not of {names[1]}", RENEW, exit_code=2)
@@ -66,8 +65,6 @@ class Image(Shape):
 
 
 class Pin(Shape):
-    """The commit of a repository, for this url and this version."""
-
     model_config = ConfigDict(extra="forbid", frozen=True)
 
     url: str
@@ -76,12 +73,7 @@ class Pin(Shape):
 
 
 class Packages(Shape):
-    """What was added to the base images, by architecture as dpkg calls it.
-
-    Attributes:
-        apt: versions by name; names of another architecture end in it, such as `libc6:i386`.
-        pip: requirements, each with the hash of the archive where pip said it.
-    """
+    """What was added to the base images, by architecture as dpkg calls it. Names of another one end in it, such as `libc6:i386`."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -131,11 +123,7 @@ class Lock(Packages):
 
 
 def added(apps: Iterable[Mapping[str, Any]]) -> Packages:
-    """The added packages in reports of builds. An archive may change meanwhile: of two versions, the first counts.
-
-    Args:
-        apps: the reports of each image and platform, with `architecture`, `apt` and `pip`.
-    """
+    """The added packages in reports of builds. An archive may change meanwhile: of two versions, the first counts."""
     packages = Packages()
     for app in apps:
         architecture = app["architecture"]
@@ -147,11 +135,7 @@ def added(apps: Iterable[Mapping[str, Any]]) -> Packages:
 
 
 def place(folder: Path, name: str, renew: bool) -> Path:
-    """The path of a repository's lock file, which need not exist.
-
-    Args:
-        renew: whether it will be written.
-    """
+    """The path of a repository's lock file. It need not exist if it will be written, or has its default name."""
     file = Path(os.path.normpath(folder / name))
     exists = within.exists(file, folder)
     if not name.endswith(SUFFIX):  # --lock overwrites it
@@ -166,12 +150,11 @@ def place(folder: Path, name: str, renew: bool) -> Path:
 
 def read(file: Path, folder: Path) -> Lock | None:
     """The lock file of a repository; None if it has none."""
-    if not within.exists(file, folder):
+    content = within.read(file, folder, untrusted.SIZE)
+    if content is None:
         return None
     try:
-        return Lock.model_validate(untrusted.json_value(files.limited(file, untrusted.SIZE)))
-    except OSError as error:
-        raise RosmlError(f"cannot read {file}: {error.strerror}", "let this user read it", exit_code=2) from None
+        return Lock.model_validate(untrusted.json_value(content))
     except ValidationError as error:
         first = error.errors()[0]
         why = ": ".join(filter(None, (".".join(map(str, first["loc"])), first["msg"].removeprefix("Value error, "))))

@@ -26,13 +26,7 @@ DESK = "desk"
 
 
 class Names:
-    """The images that the values of inputs ask for.
-
-    Attributes:
-        app: the name of the run image, without its tag.
-        targets: the images to build.
-        loads: whether images go to Docker, and to no registry.
-    """
+    """The images that inputs ask for. `app`: the run image's name without its tag. `loads`: they go to Docker, and to no registry."""
 
     def __init__(self, values: Values, folder: str, services: Services) -> None:
         self._values, self._registry = values, services.registry
@@ -46,7 +40,6 @@ class Names:
         self._require_place()
 
     def reference(self, target: str) -> str:
-        """The full name of an image, with its tag."""
         name, tag = self.app, self._values.image_tag
         if target not in (DESK, "run"):
             own_name = self._values.text(f"{target}-image-name")
@@ -96,7 +89,6 @@ class Names:
 
 
 def listed(text: str) -> list[str]:
-    """The words of a list, separated by commas."""
     return [word.strip() for word in text.split(",") if word.strip()]
 
 

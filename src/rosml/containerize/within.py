@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from rosml.base import files
 from rosml.base.errors import RosmlError
 
 SECRET = (".git", ".env")
@@ -43,3 +44,16 @@ def exists(path: Path, root: Path, folder: bool = False) -> bool:
         kinds = ("a file", "a folder") if folder else ("a folder", "a file")
         raise RosmlError(f"{path}: {kinds[0]} instead of {kinds[1]}", "rename it, or name another one", exit_code=2)
     return True
+
+
+def read(path: Path, root: Path, most: int) -> bytes | None:
+    """The content of a file of the repository; None if there is none. `most`: the most bytes."""
+    if not exists(path, root):
+        return None
+    try:
+        content = files.limited(path, most)
+    except OSError as error:
+        raise RosmlError(f"{path}: cannot be read: {error.strerror}", "make it readable", exit_code=2) from None
+    if len(content) > most:
+        raise RosmlError(f"{path}: has more than {most >> 20} MiB", "put a smaller file in its place", exit_code=2)
+    return content

@@ -55,7 +55,7 @@ def onto(
     """A base image with add-ons.
 
     Args:
-        text: names of add-ons, separated by commas or blanks; with a stack if the base image has none: `onnx-cpu`.
+        text: names of add-ons, with a stack if the base image has none: `onnx-cpu`.
         locked: digests of parts, by their names with a tag; None for the present ones.
     """
     addons = names_in(text)
@@ -84,11 +84,11 @@ def onto(
 
 
 def kept(transfer: Transfer, app: Mapping[str, str], base: Base, services: Services, stack: str = "") -> dict[str, str]:
-    """The parts that an app's add-ons need on another base image, as `AddOns.parts`; none if that has all of them.
+    """The parts that an app's add-ons need on another base image, as `AddOns.parts`.
 
     Args:
         app: the labels of the app's image.
-        stack: the stack of the add-ons, if the base image has none; the app's own if empty.
+        stack: of the add-ons, if the base image has none; the app's own if empty.
     """
     label_claims.require(app, "the app", "build it again")
     present = base.labels.get(labels.ADDONS, "").split()
@@ -113,7 +113,6 @@ def _require_ours(base: Base) -> None:
 
 
 def _in_full(base: Base) -> str:
-    """A base image's name for messages, with its digest."""
     return f"{base.name.partition('@')[0]}@{base.digest}"
 
 
@@ -133,10 +132,14 @@ def repository(base: Base) -> str:
     return f"{where.host}/{where.repository.rpartition('/')[0]}/{PARTS}".replace("//", "/")
 
 
+def _join_command(image: str, parts: Iterable[str], unlisted: bool) -> str:
+    tag = f"{image.partition('@')[0]}-with-addons"
+    return f"rosml join {image} {' '.join(parts)} --tag {tag}{' --allow-unlisted' if unlisted else ''}"
+
+
 def _by_join(base: Base, parts: Iterable[str]) -> str:
     """How an image of somebody's own gets add-ons if it has no list of its files."""
-    target = f"{base.name.partition('@')[0]}-with-addons"
-    command = f"rosml join {base.name} {' '.join(parts)} --tag {target} --allow-unlisted"
+    command = _join_command(base.name, parts, unlisted=True)
     is_app = bool(base.labels.get(labels.APP))
     way = "take the app's run image, built without --no-sbom" if is_app else f"add them in its Dockerfile ({PAGE})"
     return f"{way}; or join them without the list, and take the result as base image: {command}"
@@ -144,13 +147,7 @@ def _by_join(base: Base, parts: Iterable[str]) -> str:
 
 @dataclass(frozen=True)
 class _Search:
-    """Finds the parts of add-ons for a base image.
-
-    Attributes:
-        services: name the local registry.
-        locked: digests of parts, by their names with a tag; None for the present ones.
-        before: what stands before a remedy that names other add-ons or another base image.
-    """
+    """Finds the parts of add-ons for a base image. `before`: the beginning of a remedy with other add-ons or another base image."""
 
     transfer: Transfer
     services: Services
@@ -201,11 +198,7 @@ class _Search:
         raise self._missing(name, f"there is no add-on {name}: neither {tags[0]} nor {tags[1]}")
 
     def _pinned(self, name: str, tag: str) -> str:
-        """A part's reference by digest.
-
-        Args:
-            name: the add-on that it is for.
-        """
+        """The reference by digest of a part for an add-on."""
         place = references.parse(tag)
         digest = self.locked.get(tag, "") if self.locked else ""
         manifest = self.transfer.manifest(place._replace(reference=digest) if digest else place)
@@ -247,7 +240,10 @@ class _Search:
         if self.transfer.registries(host).tags(f"{namespace}/{PARTS}".lstrip("/")):
             command = self._publish(place, choice.addon, parts)
             return RosmlError(text, f"publish it there, if that registry is yours: {command}", exit_code=2)
-        return RosmlError(f"{text}; no parts are beside this image", f"{self._join(parts)}; {PAGE} has more", 2)
+        image, unlisted = self.base.name.partition("@")[0], not self.base.labels.get(labels.APP)
+        command = _join_command(image, (f"<registry>/{PARTS}:{part}" for part in parts), unlisted)
+        remedy = f"join them from the registry of rosml's images: {command}; {PAGE} has more"
+        return RosmlError(f"{text}; no parts are beside this image", remedy, exit_code=2)
 
     def _publish(self, place: str, addon: str, parts: Sequence[str]) -> str:
         """The command that publishes parts to the registry of the base image."""
@@ -258,17 +254,9 @@ class _Search:
         served = [f"--serve {name}" for name, facts in architectures if facts.platform in platforms]
         return " ".join(["rosml publish all --registry", place, "--only", target, *served])
 
-    def _join(self, parts: Iterable[str]) -> str:
-        """How to join parts from another registry to the base image."""
-        every = " ".join(f"<registry>/{PARTS}:{part}" for part in parts)
-        image = self.base.name.partition("@")[0]
-        unlisted = "" if self.base.labels.get(labels.APP) else " --allow-unlisted"
-        command = f"rosml join {image} {every} --tag {image}-with-addons{unlisted}"
-        return f"join them from the registry of rosml's images: {command}"
-
 
 def _of_its_name(part: Source) -> Source:
-    """A part that is what its tag says."""
+    """Checks that a part is what its tag says."""
     label_claims.require(part.labels, part.name)
     claims = [part.labels.get(labels.PREFIX + name, "") for name in ("part", "stack", "python")]
     if names.part_name(*claims) != part.name.rpartition(":")[2]:

@@ -31,11 +31,7 @@ from rosml.registry.documents import Config, Platform, Settings
 
 @dataclass(frozen=True)
 class AddOns:
-    """What add-ons bring to a base image: variables and labels are those that it lacks, or has with other values.
-
-    Attributes:
-        parts: references of parts by digest, in the order in which they are joined; by their names with a tag.
-    """
+    """What add-ons bring to a base image: parts by digest, by their names with a tag, and variables and labels that it lacks."""
 
     parts: Mapping[str, str]
     environment: Mapping[str, str]
@@ -56,10 +52,9 @@ class Base:
     """A base image.
 
     Attributes:
-        name: its name as people write it, with its registry and tag.
-        digest: the digest of its index, or of its manifest.
+        name: as people write it, with its registry and tag.
+        digest: of its index, or of its manifest.
         environment: its variables, for the first of the platforms.
-        shell: its shell for RUN in Dockerfiles; empty if it names none.
         local: whether it is in the user's Docker, and in no registry that answers.
         adopted: the ROS to install on it, if it has none.
     """
@@ -77,14 +72,13 @@ class Base:
 
     @property
     def reference(self) -> str:
-        """The reference for the builder, by digest, as the tag may move. Docker finds its own images only by their names."""
+        """For the builder: by digest, as the tag may move. Docker finds its own images only by their names."""
         if self.local:
             return self.name
         return f"{self.repository}@{self.digest}"
 
     @property
     def repository(self) -> str:
-        """Its name without a tag or digest."""
         return re.sub(r":[^:/]+$", "", self.name.partition("@")[0])
 
 
@@ -99,11 +93,7 @@ def candidates(text: str, services: Services) -> tuple[str, ...]:
 
 
 def find(text: str, services: Services, platforms: tuple[str, ...], digest: str = "") -> Base:
-    """The base image with a name: in a registry, or else in the user's Docker if that builds.
-
-    Args:
-        digest: the digest that it must have, wherever the tag is now; empty for any.
-    """
+    """The base image with a name, and with this digest unless it is empty: in a registry, or in the user's Docker if that builds."""
     names = candidates(text, services)
     refused: RosmlError | None = None
     near = ""
@@ -130,12 +120,7 @@ def find(text: str, services: Services, platforms: tuple[str, ...], digest: str 
 
 
 def _none(text: str, services: Services, digest: str, near: str, refused: RosmlError | None) -> RosmlError:
-    """The error if there is no image of a name.
-
-    Args:
-        near: a sentence with tags like that of the name.
-        refused: the error of a registry that did not answer.
-    """
+    """The error if there is no image of a name. `near`: a sentence with similar tags. `refused`: the error of a registry."""
     names = candidates(text, services)
     if refused and len(names) == 1:
         return refused
@@ -152,11 +137,7 @@ def _none(text: str, services: Services, digest: str, near: str, refused: RosmlE
 
 
 def without_digest(text: str, services: Services) -> RosmlError:
-    """The error if no registry has an image with a digest.
-
-    Args:
-        text: the user's name of the image, with the digest.
-    """
+    """The error if no registry has an image with the digest in its name."""
     names, refused = candidates(text, services), ""
     short, _, digest = text.partition("@")
     is_tagged = ":" in short.rpartition("/")[2]
@@ -229,8 +210,7 @@ def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest
 
 
 def runtime(base: Base) -> str:
-    """The name of the image without compilers that belongs to one of our images, of the same day and versions; empty if labels name
-    none. Programs built on one run on the other."""
+    """The name of the image without compilers on which programs of this one run, of the same day and versions; empty for none."""
     labels = base.labels
     component, distribution = labels.get(RUNTIME, ""), labels.get(f"{PREFIX}distribution", "")
     if not component or not distribution:
@@ -273,7 +253,6 @@ _INSPECTED = adapter(list[_Inspected])
 
 
 def _base(name: str, digest: str, settings: Settings | None, local: bool = False) -> Base:
-    """A base image from its configuration."""
     facts = settings or Settings()
     if not re.fullmatch(r"([A-Za-z0-9_][A-Za-z0-9_.-]*(:[A-Za-z0-9_][A-Za-z0-9_.-]*)?)?", facts.User or ""):
         raise RosmlError(f"{name} starts as a user of no name: {facts.User!r}", "set another USER in an image on it", 2)
@@ -306,11 +285,7 @@ def _read(registry: Registry, place: references.Reference, manifest: oci.Manifes
 def require_kept(
     registries: Callable[[str], Registry], tags: Iterable[str], platforms: tuple[str, ...], remedy: str = ""
 ) -> None:
-    """Checks that no tag would lose a platform that its present image has.
-
-    Args:
-        remedy: of the error; that of a build by default.
-    """
+    """Checks that no tag would lose a platform that its present image has. The default remedy is that of a build."""
     for reference in tags:
         place = references.parse(reference)
         registry = registries(place.host)
@@ -340,5 +315,4 @@ def _platforms(registry: Registry, place: references.Reference, manifest: oci.Ma
 
 
 def _platform(facts: Platform | Config) -> str:
-    """A platform's usual name, without a variant."""
     return "/".join(filter(None, (facts.os, facts.architecture)))

@@ -1,5 +1,4 @@
-"""rosdep's lists of one day as an artifact in a registry, for builds that ask no other server: the keys and the distributions of a
-checkout of ros/rosdistro."""
+"""rosdep's lists of one day as an artifact in a registry: files of ros/rosdistro, for builds that ask no other server."""
 
 from __future__ import annotations
 
@@ -130,22 +129,16 @@ def publish(checkout: Path, registry: Registry, repository: str, tags: tuple[str
 
 
 class Finder:
-    """Finds the lists for a build.
-
-    Args:
-        folder: the repository.
-        say: tells the user which lists it takes.
-    """
+    """Finds the lists for a build of a folder."""
 
     def __init__(self, services: Services, folder: Path, say: Callable[[str], object]) -> None:
         self._services, self._folder, self._say = services, folder, say
 
     def find(self, name: str, base: app_base.Base, pin: str, locked: bool) -> tuple[Path, str] | None:
-        """A folder with the lists, and their digest if they are from a registry. Without a name from the user, takes the newest that
-        are published beside one of our base images, if there are some.
+        """A folder with the lists, and their digest if they are from a registry.
 
         Args:
-            name: as the user wrote it: a checkout, or an artifact in a registry; empty for none.
+            name: of a checkout, or of lists in a registry; if empty, the newest beside one of our base images, if there are some.
             pin: the digest in the lock file; empty if it has none.
             locked: whether there is a lock file.
         """
@@ -199,7 +192,7 @@ class Finder:
         return self._services.state / "cache" / NAME / digest.replace(":", "-")
 
     def _fetched(self, registry: Registry, place: references.Reference) -> tuple[Path, str] | None:
-        """The lists at a place in a registry, unpacked; None if there are none. Lists of an earlier call are not fetched again."""
+        """The lists at a place in a registry, unpacked, unless an earlier call has done that."""
         manifest = registry.manifest(place.repository, place.reference)
         if manifest is None:
             return None
@@ -233,11 +226,7 @@ def _move(new: Path, out: Path) -> None:
 
 
 def unpack(content: bytes, folder: Path, what: str) -> None:
-    """Unpacks the lists into a folder. A link, or a name that leads out of it, is left out.
-
-    Args:
-        what: the archive's name in messages.
-    """
+    """Unpacks the lists into a folder. A link, or a name that leads out of it, is left out."""
     room, count = LARGEST, FILES
     try:
         with tarfile.open(fileobj=io.BytesIO(content), mode="r:gz", tarinfo=archives.Entry) as tar:

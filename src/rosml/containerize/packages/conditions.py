@@ -31,7 +31,7 @@ def holds(text: str, variables: Mapping[str, str]) -> bool:
         return True
     try:
         tokens = _tokens(text)
-        value = _either(tokens, variables)
+        value = _joined(tokens, variables)
     except (LookupError, RecursionError, ValueError):
         return True
     return value or bool(tokens)
@@ -49,26 +49,21 @@ def _tokens(text: str) -> list[str]:
     return tokens[::-1]
 
 
-def _either(tokens: list[str], variables: Mapping[str, str]) -> bool:
-    value = _both(tokens, variables)
-    while tokens and tokens[-1] == "or":
+def _joined(tokens: list[str], variables: Mapping[str, str], words: tuple[str, ...] = ("or", "and")) -> bool:
+    """The value of what stands between these words, of which the later bind stronger."""
+    if not words:
+        return _comparison(tokens, variables)
+    values = [_joined(tokens, variables, words[1:])]
+    while tokens and tokens[-1] == words[0]:
         tokens.pop()
-        value = _both(tokens, variables) or value
-    return value
-
-
-def _both(tokens: list[str], variables: Mapping[str, str]) -> bool:
-    value = _comparison(tokens, variables)
-    while tokens and tokens[-1] == "and":
-        tokens.pop()
-        value = _comparison(tokens, variables) and value
-    return value
+        values.append(_joined(tokens, variables, words[1:]))
+    return any(values) if words[0] == "or" else all(values)
 
 
 def _comparison(tokens: list[str], variables: Mapping[str, str]) -> bool:
     first = tokens.pop()
     if first == "(":
-        value = _either(tokens, variables)
+        value = _joined(tokens, variables)
         if tokens.pop() != ")":
             raise ValueError(first)
         return value

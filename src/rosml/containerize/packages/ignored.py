@@ -1,5 +1,4 @@
-"""Files and folders that are not sent to the builder: those in `.dockerignore`, virtual environments, and the output of colcon and
-catkin."""
+"""Files and folders that are not sent to the builder: by `.dockerignore`, virtual environments, and output of colcon and catkin."""
 
 from __future__ import annotations
 
@@ -9,7 +8,6 @@ from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
 
-from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.containerize import within
 
@@ -26,7 +24,7 @@ OUTPUT_FOLDERS = {
 """Folders that colcon, catkin_make, catkin_tools and `rosml dev` make in the current folder, each with files that only they write."""
 
 SPACE = ".catkin"
-"""A file in each install space and each devel space of catkin."""
+"""A file in each install and devel space of catkin."""
 
 LARGEST = 1 << 20
 """Bytes of a `.dockerignore`."""
@@ -39,11 +37,7 @@ _WILD = re.compile(r"[*?[\\]")
 
 @dataclass(frozen=True)
 class _Rule:
-    """A line of `.dockerignore`. A plain one has no wildcard, as most have none: comparing names is faster.
-
-    Attributes:
-        ignores: false for a line with `!`, which brings files back.
-    """
+    """A line of `.dockerignore`. Most are plain, without a wildcard: comparing names is faster. A line with `!` does not ignore."""
 
     ignores: bool
     names: tuple[str, ...]
@@ -61,7 +55,8 @@ class IgnoredFiles:
 
     def __init__(self, root: Path) -> None:
         self._root = root
-        self._rules = _rules(_text(root / FILE, root), root / FILE)
+        text = (within.read(root / FILE, root, LARGEST) or b"").decode("utf-8-sig", "replace")
+        self._rules = _rules(text, root / FILE)
         self._brings_back = any(not rule.ignores for rule in self._rules)
 
     def __call__(self, path: Path) -> bool:
@@ -85,15 +80,6 @@ class IgnoredFiles:
         return not self._brings_back and self(folder)
 
 
-def _text(file: Path, root: Path) -> str:
-    if not within.exists(file, root):
-        return ""
-    try:
-        return files.limited(file, LARGEST).decode("utf-8-sig", "replace")
-    except OSError as error:
-        raise RosmlError(f"{file}: cannot be read: {error.strerror}", "make it readable", exit_code=2) from None
-
-
 def _rules(text: str, file: Path) -> list[_Rule]:
     rules, wild = list[_Rule](), 0
     for line in text.splitlines():
@@ -114,8 +100,7 @@ def _rules(text: str, file: Path) -> list[_Rule]:
 
 
 def _as_fnmatch(name: str) -> str:
-    """A name with Python's wildcards: `[!a]` for `[^a]`, and `[*]` for `\\*`. A bracket that does not close stands for itself; Python
-    would look for its end at each of them."""
+    # `[!a]` for `[^a]`, `[*]` for `\*`. Python would look for the end of a bracket that does not close at each of them.
     whole, end, rest = re.sub(r"\\(.)", r"[\1]", name).replace("[^", "[!").rpartition("]")
     return f"{whole}{end}{rest.replace('[', '[[]')}"
 

@@ -10,7 +10,6 @@ from itertools import pairwise
 from pathlib import Path
 from xml.etree import ElementTree
 
-from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.problems import some
 from rosml.containerize import inputs, within
@@ -31,7 +30,6 @@ _GENERATIONS = {1: ("roscpp", "rospy", "message_generation"), 2: ("rclcpp", "rcl
 _WITHOUT_ORDER = ("doc_depend", "group_depend")
 """Dependencies for which colcon builds nothing first: those of the documentation, and groups, which are no packages."""
 
-
 Conditional = tuple[tuple[str, str], ...]
 """Texts, each with its condition."""
 
@@ -41,12 +39,10 @@ class Package:
     """A ROS package.
 
     Attributes:
-        folder: relative to the folder of all packages; `.` if it is that.
         kinds: its build types.
         tools: its build tools.
         needs: the keys that it depends on, without build tools.
         depends: the keys after which colcon builds it.
-        languages: of LANGUAGES.
         launches: names of its launch files.
         scripts: names of its Python programs in `setup.py` or `setup.cfg`.
     """
@@ -63,7 +59,6 @@ class Package:
 
     @property
     def manifest(self) -> str:
-        """Its manifest, as people find it."""
         return str(self.folder / workspace.MANIFEST)
 
     @property
@@ -104,12 +99,7 @@ def read(folder: Path, ignored: IgnoredFiles) -> list[tuple[Package, str]]:
 
 
 def require(folder: Path, typed: Mapping[str, str], environment: Mapping[str, str]) -> None:
-    """Checks that a folder has packages, or names upstream ones, that their manifests can be read, and that none depend on each
-    other in a ring. It looks at no other input.
-
-    Args:
-        typed: inputs of the command line, by name.
-    """
+    """Checks that a folder has packages, or names upstream ones, that can be read, and that none depend on each other in a ring."""
 
     def exists(name: str) -> bool:
         return os.path.lexists(folder / inputs.first_look(name, typed, folder, environment))
@@ -127,14 +117,7 @@ def require(folder: Path, typed: Mapping[str, str], environment: Mapping[str, st
 
 
 def require_one_ros(folder: Path, base: str, ros: int, ros_distro: str, without: Collection[str] = ()) -> None:
-    """Checks that the packages of a folder are for the ROS of a base image.
-
-    Args:
-        base: the name of the base image.
-        ros: 1 or 2.
-        ros_distro: what conditions compare with.
-        without: names of packages that do not count.
-    """
+    """Checks that the packages of a folder, without some, are for the ROS of a base image. `ros`: 1 or 2."""
     packages = [package for package, _ in read(folder, IgnoredFiles(folder)) if package.name not in without]
     foreign = [package.manifest for package in packages if package.foreign(ros, ros_distro)]
     if not foreign:
@@ -150,10 +133,9 @@ def require_one_ros(folder: Path, base: str, ros: int, ros_distro: str, without:
 
 
 def require_order(manifests: Path, variables: Mapping[str, str], without: Collection[str] = ()) -> None:
-    """Checks that no packages depend on each other in a ring, those of upstream repositories included.
+    """Checks that no packages in the folder of `workspace.write_manifests` depend on each other in a ring.
 
     Args:
-        manifests: the folder that `workspace.write_manifests` wrote.
         variables: ROS_VERSION and ROS_DISTRO of the base image, with which conditions compare.
         without: names of packages that do not count.
     """
@@ -170,12 +152,7 @@ def require_order(manifests: Path, variables: Mapping[str, str], without: Collec
 
 
 def _require_no_ring(packages: Iterable[tuple[Package, str]], variables: Mapping[str, str] | None = None) -> None:
-    """Checks that colcon can build some packages one after another.
-
-    Args:
-        packages: each with the text of its manifest.
-        variables: with which conditions compare; if None, dependencies with a condition do not count.
-    """
+    """Checks that colcon can build packages one after another. Without variables, dependencies with a condition do not count."""
     by_name = {package.name: (package, text) for package, text in packages}
     graph = {
         name: [
@@ -203,13 +180,7 @@ def _require_no_ring(packages: Iterable[tuple[Package, str]], variables: Mapping
 
 def _read(path: Path, folder: Path) -> tuple[Package, str]:
     """A package by its manifest, and the manifest's text."""
-    within.exists(path, folder)
-    try:
-        content = files.limited(path, LARGEST)
-    except OSError as error:
-        raise RosmlError(f"{path}: cannot be read: {error.strerror}", "make it readable", exit_code=2) from None
-    if len(content) > LARGEST:
-        raise RosmlError(f"{path}: has more than {LARGEST >> 20} MiB", "check the file", exit_code=2)
+    content = within.read(path, folder, LARGEST) or b""
     try:
         root = ElementTree.fromstring(content)
     except ElementTree.ParseError as error:

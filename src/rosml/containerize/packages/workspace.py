@@ -40,14 +40,9 @@ _READABLE = 0o444
 
 
 def manifests(root: Path, beyond: list[Path] | None = None, ignored: IgnoredFiles | None = None) -> Iterator[Path]:
-    """The package.xml of the packages below a folder, as colcon finds them, and the files that hide packages. For folders outside of
-    packages, the CMakeLists.txt.
+    """The package.xml of packages below a folder, as colcon finds them, files that hide packages, and CMakeLists.txt elsewhere.
 
-    A folder behind a link counts once, unless the link leads out of the root, or to a secret.
-
-    Args:
-        beyond: a list that gets such links.
-        ignored: files and folders that have no packages, as they are not sent to the builder.
+    A folder behind a link counts once, unless the link leads out of the root, or to a secret: `beyond` gets such links.
     """
     visited: set[str] = set()
     for folder, folders, names in os.walk(root, followlinks=True):
@@ -84,12 +79,7 @@ def names(root: Path) -> Iterator[str]:
 def write_manifests(
     roots: Mapping[str, Path], out: Path, say: Callable[[str], object] = lambda text: None
 ) -> dict[str, int]:
-    """Copies the manifests of some folders, each below its name. Returns the number of packages in each. A CMakeLists.txt is
-    reduced to the name of its package.
-
-    Args:
-        say: tells the user of links that are not searched for packages.
-    """
+    """Copies the manifests of folders, each below its name. Returns the number of packages in each."""
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     count = dict.fromkeys(roots, 0)
@@ -106,7 +96,7 @@ def write_manifests(
 
 
 def _write_manifest(path: Path, root: Path, target: Path) -> bool:
-    """Copies what colcon needs of a file of `manifests`. Returns whether it is the manifest of a package."""
+    """Copies what colcon needs of a file: of a CMakeLists.txt, the package's name. Returns whether it is a package's manifest."""
     if path.name == PLAIN and not (within.is_inside(path, root) and path.is_file()):
         return False  # in a workspace, catkin's own file is a link to /opt/ros
     target.parent.mkdir(parents=True, exist_ok=True)
@@ -137,17 +127,13 @@ def none_in(folder: Path) -> RosmlError:
 
 
 def stage(folder: Path, out: Path, without: Path | None = None, ignored: IgnoredFiles | None = None) -> list[str]:
-    """Makes the folder that the builder gets: links to the files of a repository, without git's folder, files of secrets and files
-    that stay. If a link has an absolute path to another place of the folder, it becomes relative.
+    """Makes the folder that the builder gets: links to the files of a repository, without secret and ignored ones.
 
     The folder is one level deeper than the context of the build, so that the builder does not read `.dockerignore` again.
 
-    Args:
-        without: one file that stays.
-
     Returns:
-        Files that others may not read in the folder, as a checkout with umask 077 has them. Everybody may read them in `out`, since an
-        image has many users.
+        Files that only their owner may read, as a checkout with umask 077 has them. In `out`, everybody may read them, since an image
+        has many users.
     """
 
     def stays(path: Path) -> bool:
@@ -175,11 +161,10 @@ def stage(folder: Path, out: Path, without: Path | None = None, ignored: Ignored
 
 
 def _link(source: Path, target: Path, root: Path) -> bool:
-    """Links a file to another name, or copies it if that is on another file system or if not everybody may read it. Skips sockets and
-    pipes. Returns whether not everybody may read it."""
+    """Links a file to another name, or copies it. Skips sockets and pipes. Returns whether not everybody may read it."""
     facts = source.lstat()
     if stat.S_ISLNK(facts.st_mode):
-        leads = os.readlink(source)
+        leads = os.readlink(source)  # an absolute path would lead elsewhere in the build
         if os.path.isabs(leads) and within.is_inside(source, root):
             leads = os.path.relpath(os.path.realpath(source), os.path.realpath(source.parent))
         target.symlink_to(leads)
@@ -218,11 +203,7 @@ def _is_empty(folder: Path) -> bool:
 
 
 def pointers(staged: Path) -> list[str]:
-    """Files of Git LFS that were not fetched: after a `git clone` without git-lfs, they only point to the real ones.
-
-    Args:
-        staged: the folder that `stage` wrote.
-    """
+    """Files of Git LFS in the folder of `stage` that only point to the real ones, as after a `git clone` without git-lfs."""
     paths = [Path(path, name) for path, _, names in os.walk(staged) for name in names]
     attributes = (path for path in paths if path.name == ".gitattributes" and path.is_file())
     if not any(b"filter=lfs" in path.read_bytes() for path in attributes):
@@ -231,11 +212,7 @@ def pointers(staged: Path) -> list[str]:
 
 
 def stale(requests: Path, manifests: Path) -> Iterator[str]:
-    """A sentence for each unknown name among the packages to leave out: a list may be older than the sources.
-
-    Args:
-        requests, manifests: the folders that `write_requests` and `write_manifests` wrote.
-    """
+    """A sentence for each unknown name among the packages to leave out: a list may be older than the sources."""
     packages = sorted(names(manifests))
     for name in (requests / BLACKLIST).read_text().split():
         if name not in packages:
@@ -258,8 +235,7 @@ def _require_named(name: str, value: str, folder: Path, kind: str = "file") -> N
 
 
 def write_requests(values: Values, folder: Path, upstream: Path, environment: Mapping[str, str], out: Path) -> None:
-    """Writes the requests: additional packages, scripts, and packages to leave out. Each has a file, which is empty if the repository
-    has none."""
+    """Writes additional packages, scripts, and packages to leave out, each into a file. It is empty if the repository has none."""
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
 
@@ -294,27 +270,17 @@ def write_requests(values: Values, folder: Path, upstream: Path, environment: Ma
 
 
 def text_of(folder: Path, name: str, roots: tuple[Path, ...] = ()) -> str:
-    """The text of a file of the repository; empty if there is none.
-
-    Args:
-        roots: if there are some, the text of all files of that name below them.
-    """
+    """The text of a file of the repository; with roots, that of all files of its name below them."""
     paths = [(path, root) for root in roots for path in _of_name(os.path.basename(name), root)]
     texts = [_text(path, root) for path, root in (paths if roots else [(folder / name, folder)])]
     return "".join(text if text.endswith("\n") or not text else f"{text}\n" for text in texts)
 
 
 def _text(path: Path, root: Path) -> str:
-    if not within.exists(path, root):
-        return ""
     try:
-        content = files.limited(path, LARGEST_TEXT)
-        if len(content) > LARGEST_TEXT:
-            raise RosmlError(f"{path} has more than {LARGEST_TEXT >> 20} MiB", "check the file", exit_code=2)
-        return content.decode().replace("\r\n", "\n")
-    except (OSError, UnicodeDecodeError) as error:
-        reason = error.strerror if isinstance(error, OSError) else "not UTF-8"
-        raise RosmlError(f"cannot read {path}: {reason}", "check the file", exit_code=2) from None
+        return (within.read(path, root, LARGEST_TEXT) or b"").decode().replace("\r\n", "\n")
+    except UnicodeDecodeError:
+        raise RosmlError(f"{path}: not UTF-8", "save the file as UTF-8", exit_code=2) from None
 
 
 def _of_name(name: str, root: Path) -> list[Path]:

@@ -35,12 +35,9 @@ Say = Callable[[str], object]
 
 @dataclass(frozen=True)
 class Repository:
-    """A fetched repository.
+    """A fetched repository, with its entry's path, url and version.
 
     Attributes:
-        path: its folder, below that for upstream sources.
-        url: its URL without user and password.
-        version: as written: a tag, a branch, a commit; empty for the default branch.
         named_in: the `.repos` file.
         moving: whether the version is a branch, and may mean another commit tomorrow.
     """
@@ -58,11 +55,10 @@ class Options:
     """Which `.repos` files count, and what they may name.
 
     Attributes:
-        recursive: whether every `.repos` file counts, also those in fetched repositories; otherwise only `file`, below the target.
+        recursive: every `.repos` file counts, also those in fetched repositories; otherwise only `file`, below the target.
         without: a `.repos` file of the target that does not count.
         pins: commits by path, if there is a lock file; it must have every repository.
-        local: whether `.repos` files of the target, and of local repositories that they name, may name repositories of this
-            machine. Those of a repository from a server never may.
+        local: files of the target, and of local repositories, may name repositories of this machine. Those from a server never may.
     """
 
     recursive: bool = True
@@ -83,14 +79,10 @@ def fetch(
     """Writes the repositories that a target needs into a folder, and removes others. After an error, the next call completes it.
 
     Args:
-        target: the folder of the user's packages.
-        out: the folder to write, with a folder for each path. The same commits give the same files and modes. Unchanged
-            repositories are not written again. Two files beside it record its content. It must have nothing else in it.
-        cache: the folder of repositories for the next call. Processes may share it; you may remove it at any time.
+        out: gets a folder for each path, and nothing else may be in it. The same commits give the same files and modes. Unchanged
+            repositories are not written again. Two files beside it record its content.
+        cache: for the next call. Processes may share it; you may remove it at any time.
         say: gets a sentence for people, from any thread.
-
-    Returns:
-        The repositories, sorted by path.
     """
     cache.mkdir(mode=0o700, parents=True, exist_ok=True)
     out.mkdir(parents=True, exist_ok=True)
@@ -116,7 +108,6 @@ def fetch(
 
 
 def _files(target: Path, options: Options, without: tuple[Path, ...]) -> list[Path]:
-    """The `.repos` files of the target that count."""
     if options.recursive:
         files = repos_file.find(target, without)
     elif (target / options.file).is_file() and (target / options.file).resolve().is_relative_to(target.resolve()):
@@ -131,7 +122,6 @@ def _files(target: Path, options: Options, without: tuple[Path, ...]) -> list[Pa
 
 
 def _nested(repository: Repository, out: Path) -> list[Entry]:
-    """The entries of the `.repos` files of a repository."""
     folder = out / repository.path
     prefix = f"upstream/{repository.path}/"
     return repos_file.read(repos_file.find(folder), folder, prefix, local=urls.is_local(repository.url))

@@ -25,13 +25,10 @@ from rosml.machine.git import CLEAN, QUIET
 
 @dataclass(frozen=True)
 class Access:
-    """Access to private repositories.
+    """Access to private repositories. A key for ssh needs known hosts.
 
     Attributes:
-        https_server: the only server that gets user and password: `github.com`, `git.example.org:8443`. git asks it by https,
-            unless it is written as `http://…`.
-        https_user: `git` if empty; any name if the password is a token.
-        ssh_known_hosts: lines of a known_hosts file; a key needs them.
+        https_server: the only server that gets user and password, by https unless it is written as `http://…`.
     """
 
     https_server: str = ""
@@ -65,7 +62,6 @@ class Failed(Exception):
 
     @property
     def reason(self) -> str:
-        """The last line about this failure."""
         lines = [line.strip() for line in self.stderr.splitlines()]
         telling = [line for line in lines if line and not line.startswith(_BOILERPLATE)]
         return re.sub(r"^(fatal|error|remote): ", "", (telling or lines or [""])[-1])
@@ -143,11 +139,7 @@ class Git:
         settings: Iterable[Setting] = (),
         environment: Mapping[str, str] | None = None,
     ) -> str:
-        """Returns git's output. If a server is too busy, asks again.
-
-        Raises:
-            Failed: git failed.
-        """
+        """Returns git's output. If a server is too busy, asks again. Raises Failed."""
         attempt = 0
         while True:
             attempt += 1
@@ -189,7 +181,7 @@ class Git:
         return out.decode(errors="surrogateescape")
 
     def stop(self) -> None:
-        """Ends the calls of other threads, and their later ones."""
+        """Ends the calls of all threads, and their later ones."""
         with self._guard:
             self._stopped = True
             for process in self._running:
@@ -204,13 +196,17 @@ class Git:
 
 @contextlib.contextmanager
 def opened(access: Access, folder: Path) -> Iterator[Git]:
-    """git with access to private repositories. The file with the key is removed at the end.
-
-    Args:
-        folder: the folder in which git runs. A repository around it does not count.
-    """
+    """git with access to private repositories, in a folder. The file with the key is removed at the end."""
     credentials, variables = _https(access)
-    environment = {**_environment(folder), **variables}
+    environment = {
+        **{name: value for name, value in os.environ.items() if not _DROPPED.fullmatch(name)},
+        **CLEAN,
+        "GIT_ALLOW_PROTOCOL": ":".join(urls.PROTOCOLS),
+        "GIT_PROTOCOL_FROM_USER": "0",
+        "GIT_CEILING_DIRECTORIES": str(folder.resolve().parent),
+        "GIT_LITERAL_PATHSPECS": "1",
+        **variables,
+    }
     settings = (*SETTINGS.items(), *credentials)
     hidden = variables.get("ROSML_GIT_PASSWORD", "")
     with tempfile.TemporaryDirectory(prefix="rosml-") as private:
@@ -223,24 +219,12 @@ def opened(access: Access, folder: Path) -> Iterator[Git]:
 
 
 def _has_ssh(git: Git, environment: Mapping[str, str]) -> bool:
-    """Whether the user has chosen a command for ssh."""
     if environment.get("GIT_SSH_COMMAND") or environment.get("GIT_SSH"):
         return True
     try:
         return bool(git("config", "--get", "core.sshCommand"))
     except Failed:  # not set
         return False
-
-
-def _environment(folder: Path) -> dict[str, str]:
-    return {
-        **{name: value for name, value in os.environ.items() if not _DROPPED.fullmatch(name)},
-        **CLEAN,
-        "GIT_ALLOW_PROTOCOL": ":".join(urls.PROTOCOLS),
-        "GIT_PROTOCOL_FROM_USER": "0",
-        "GIT_CEILING_DIRECTORIES": str(folder.resolve().parent),
-        "GIT_LITERAL_PATHSPECS": "1",
-    }
 
 
 def _https(access: Access) -> tuple[tuple[Setting, ...], dict[str, str]]:

@@ -16,14 +16,13 @@ from typing import Any, NoReturn
 
 import yaml
 
-from rosml.base import files, untrusted
+from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import near
 from rosml.containerize import within
 from rosml.containerize.sources import urls
 
 KEYS = ("type", "url", "version")
-
 VERSIONS = ("branch", "tag", "commit", "ref", "rev", "revision", "hash", "sha", "checkout")
 """Words that people write instead of `version`."""
 
@@ -53,10 +52,8 @@ class Entry:
 
     Attributes:
         path: its folder, below that for upstream sources.
-        url: its URL, without a user and a password, except the user of ssh.
+        url: without a user and a password, except the user of ssh.
         version: as written; empty for the default branch.
-        file: the name of the `.repos` file.
-        line: the line of the path.
     """
 
     path: str
@@ -70,16 +67,11 @@ class Entry:
         return f"{self.file}:{self.line}"
 
     def same(self, other: Entry) -> bool:
-        """Whether both name the same version of the same repository."""
         return urls.key(self.url) == urls.key(other.url) and self.version == other.version
 
 
 def find(folder: Path, without: tuple[Path, ...] = ()) -> list[Path]:
-    """The `.repos` files below a folder, sorted. Those in `.git` and below COLCON_IGNORE do not count.
-
-    Args:
-        without: folders to leave out, resolved.
-    """
+    """The `.repos` files below a folder, sorted, without those in `.git`, below COLCON_IGNORE, and in some resolved folders."""
     paths: list[Path] = []
     for name, folders, names in os.walk(folder, onerror=_raise):
         here = Path(name)
@@ -111,11 +103,7 @@ def read(paths: Iterable[Path], folder: Path, prefix: str, local: bool) -> list[
 
 
 class _Reader:
-    """Reads files of a folder, each once.
-
-    Attributes:
-        extended: files that others extend, resolved.
-    """
+    """Reads files of a folder, each once. `extended`: files that others extend, resolved."""
 
     def __init__(self, folder: Path, prefix: str, local: bool) -> None:
         self._folder, self._prefix, self._local = folder, prefix, local
@@ -131,7 +119,7 @@ class _Reader:
 
     def _read(self, path: Path, above: tuple[Path, ...]) -> dict[str, Entry]:
         file = _File(f"{self._prefix}{os.path.relpath(path, self._folder)}", self._local)
-        node = file.parsed(path)
+        node = file.parsed(within.read(path, self._folder, untrusted.SIZE) or b"")
         if _is_empty(node):
             return {}
         if isinstance(node, yaml.SequenceNode):
@@ -172,12 +160,7 @@ class _Reader:
 
 @dataclass(frozen=True)
 class _File:
-    """Reads the nodes of one file.
-
-    Attributes:
-        name: in messages.
-        local: whether it may name repositories of this machine.
-    """
+    """Reads the nodes of one file. `local`: whether it may name repositories of this machine."""
 
     name: str
     local: bool
@@ -185,11 +168,9 @@ class _File:
     def refuse(self, node: Any, text: str, remedy: str = _FORMAT) -> NoReturn:
         raise RosmlError(f"{self.name}:{node.start_mark.line + 1}: {text}", remedy, exit_code=2)
 
-    def parsed(self, path: Path) -> Any:
+    def parsed(self, content: bytes) -> Any:
         try:
-            return untrusted.yaml_node(files.limited(path, untrusted.SIZE).decode("utf-8-sig"))
-        except OSError as error:
-            raise RosmlError(f"{self.name}: cannot be read: {error.strerror}", "make it readable", 2) from None
+            return untrusted.yaml_node(content.decode("utf-8-sig"))
         except UnicodeDecodeError:
             raise RosmlError(f"{self.name}: not UTF-8", "save the file as UTF-8", exit_code=2) from None
         except yaml.YAMLError as error:
@@ -204,7 +185,6 @@ class _File:
         return {entry.path: entry for entry in entries}
 
     def rosinstall(self, node: Any) -> dict[str, Entry]:
-        """The repositories of a file that is a list."""
         entries: dict[str, Entry] = {}
         for item in node.value:
             pairs = [*self.mapping(item, "a repository").values()]
@@ -259,7 +239,6 @@ class _File:
         return {key: "" if _is_empty(value) else value.value for key, (_, value) in fields.items()}
 
     def _entry(self, key: Any, fields: Mapping[str, str]) -> Entry:
-        """A repository. `key`: the node of its path."""
         if not fields.get("type"):
             self.refuse(key, f"{key.value}: no type", "add 'type: git'")
         if fields["type"] != "git":

@@ -48,7 +48,6 @@ class Store:
         self._turns: dict[str, Lock] = {}  # for this process' threads, by URL
 
     def commit(self, url: str, version: Version) -> str:
-        """The whole hash of a version."""
         return version.commit if version.is_exact else self._with(url, lambda kept: self._have(kept, url, version))
 
     def has_pinned(self, url: str, version: str, commit: str) -> bool:
@@ -57,10 +56,6 @@ class Store:
         By its hash, a forge gives every commit of a network of forks, also those of pull requests that nobody has reviewed.
         Commits that passed once are remembered. Otherwise this asks the server for its names. If the version names another
         commit now, it fetches the history too, without files if the server can leave them out.
-
-        Args:
-            version: as the user wrote it.
-            commit: a whole hash.
         """
 
         def check(kept: Path) -> bool:
@@ -180,8 +175,12 @@ class Store:
                 except Failed as error:
                     text = f"git-lfs did not get its files: {error.reason}"
                     raise RosmlError(text, "check whether the LFS server has them, and lets you read them") from None
-            listed = git("ls-files", "--stage", "-z").split("\0")
-            links = dict(_link(line) for line in listed if line.startswith("160000 "))
+            lines = git("ls-files", "--stage", "-z").split("\0")
+            # `160000 HASH 0<tab>PATH` is a submodule.
+            links = {
+                path: head.split()[1]
+                for head, _, path in (line.partition("\t") for line in lines if line.startswith("160000 "))
+            }
             return self._submodules(git, commit, links) if links else []
 
     def _has_pointers(self, git: Callable[..., str], folder: Path) -> bool:
@@ -224,12 +223,6 @@ class Store:
             raise RosmlError(f"the submodule {submodule.path}: {error}", error.remedy) from None
         except RosmlError as error:
             raise RosmlError(f"the submodule {submodule.path}: {error.message}", error.remedy) from None
-
-
-def _link(line: str) -> tuple[str, str]:
-    """The path and the commit of a submodule, from a line of the index: `160000 HASH 0<tab>PATH`."""
-    head, _, path = line.partition("\t")
-    return path, head.split()[1]
 
 
 def is_pointer(file: Path) -> bool:

@@ -23,11 +23,7 @@ _NO_PASSWORD = "take it out of the file, and set GIT_HTTPS_USER and GIT_HTTPS_PA
 
 
 def checked(url: str, local: bool) -> str:
-    """A URL without its user, except the user of ssh. Refuses passwords, other protocols, and what git could read in another way.
-
-    Args:
-        local: whether it may name a repository of this machine.
-    """
+    """A URL without its user, except the user of ssh. Refuses passwords, other protocols, and what git could read in another way."""
     if not url or url.startswith("-") or not url.isprintable() or "\\" in url:
         raise Refused("the url is not valid", _WHOLE)
     scheme, separator, rest = url.partition("://")

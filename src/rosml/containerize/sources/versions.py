@@ -17,8 +17,8 @@ class Version:
     Attributes:
         commit: its hash, abbreviated if the version is an abbreviated hash.
         ref: the server's name for it; empty for a hash.
-        moving: whether it may mean another commit tomorrow.
-        also_branch: whether a tag hides a branch of this name.
+        moving: it may mean another commit tomorrow.
+        also_branch: a tag hides a branch of this name.
     """
 
     commit: str
