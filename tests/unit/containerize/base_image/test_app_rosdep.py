@@ -15,7 +15,7 @@ from typing import Any, ClassVar
 import pytest
 
 from fakes.http_registry import StandIn
-from fakes.stubs import script_of_a_build
+from fakes.stubs import executable, script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image import rosdep_index
 from rosml.containerize.base_image.base import Base
@@ -46,23 +46,28 @@ def checkout(tmp_path: Path) -> Path:
     return folder
 
 
-def published(services: Services, checkout: Path, name: str = "rosml/rosdep") -> str:
+def published(services: Services, checkout: Path) -> str:
     with Registry(services.registry) as client:
-        return rosdep_index.publish(checkout, client, name, ("20261125", "latest"))
+        return rosdep_index.publish(checkout, client, "rosml/rosdep", ("20261125", "latest"))
 
 
 def base(services: Services, **labels: str) -> Base:
     return Base(f"{services.registry}/rosml/ros:jazzy-base", "sha256:1", {}, labels or OURS)
 
 
+@pytest.fixture
+def finder(services: Services, tmp_path: Path) -> Finder:
+    return Finder(services, tmp_path, lambda text: None)
+
+
 def test_the_newest_lists_beside_a_base_image_are_taken(services: Services, checkout: Path, tmp_path: Path) -> None:
-    said: list[str] = []
-    finder = Finder(services, tmp_path, said.append)
+    sentences: list[str] = []
+    finder = Finder(services, tmp_path, sentences.append)
     assert finder.find("", base(services), "", False) is None, "nobody has published any"
     digest = published(services, checkout)
-    found = finder.find("", base(services), "", False)
-    assert found and found[1] == digest and said == [f"rosdep's lists {services.registry}/rosml/rosdep:latest"]
-    names = sorted(str(path.relative_to(found[0])) for path in found[0].rglob("*.yaml"))
+    lists = finder.find("", base(services), "", False)
+    assert lists and lists[1] == digest and sentences == [f"rosdep's lists {services.registry}/rosml/rosdep:latest"]
+    names = sorted(str(path.relative_to(lists[0])) for path in lists[0].rglob("*.yaml"))
     assert names == ["index-v4.yaml", "jazzy/distribution.yaml", "rosdep/base.yaml"]
     assert finder.find("", base(services, other="x"), "", False) is None, "it is not ours"
 
@@ -75,14 +80,15 @@ def test_the_same_lists_have_the_same_digest(services: Services, checkout: Path,
     assert published(services, again) != first
 
 
-def test_a_lock_file_names_the_lists(services: Services, checkout: Path, tmp_path: Path) -> None:
+def test_a_lock_file_names_the_lists(services: Services, checkout: Path, finder: Finder) -> None:
     first = published(services, checkout)
     (checkout / "rosdep/base.yaml").write_text("")
     published(services, checkout)
-    finder = Finder(services, tmp_path, lambda text: None)
-    for named in ("", "rosdep:latest", f"{services.registry}/rosml/rosdep:20261125"):
-        found = finder.find(named, base(services), first, True)
-        assert found and "boost" in (found[0] / "rosdep/base.yaml").read_text()
+    for name in ("", "rosdep:latest", f"{services.registry}/rosml/rosdep:20261125"):
+        lists = finder.find(name, base(services), first, True)
+        assert lists and "boost" in (lists[0] / "rosdep/base.yaml").read_text()
+    away = Finder(dataclasses.replace(services, registry="127.0.0.1:9"), checkout, lambda text: None)
+    assert away.find("", Base("127.0.0.1:9/rosml/ros:x", "sha256:1", {}, OURS), first, True) == lists
     assert finder.find("", base(services), "", True) is None, "there were none"
     with pytest.raises(RosmlError, match="the lock file has no lists of rosdep"):
         finder.find("rosdep:latest", base(services), "", True)
@@ -90,32 +96,33 @@ def test_a_lock_file_names_the_lists(services: Services, checkout: Path, tmp_pat
         finder.find("", base(services), f"sha256:{'0' * 64}", True)
 
 
-def test_what_is_named_must_be_there(services: Services, checkout: Path, tmp_path: Path) -> None:
-    finder = Finder(services, tmp_path, lambda text: None)
+def test_lists_that_a_user_names_must_exist(services: Services, checkout: Path, finder: Finder) -> None:
     assert finder.find("rosdistro", base(services), "", False) == (checkout, "")
-    typed = "^--rosdep-index, or its variable ROSDEP_INDEX, names"
-    with pytest.raises(RosmlError, match=rf"{typed} typo: there is no folder .*/typo$"):
-        finder.find("typo", base(services), "", False)
-    with pytest.raises(RosmlError, match=rf"{typed} .*:typo: there are no lists of rosdep .*:typo \(looked for"):
-        finder.find(f"{services.registry}/rosml/rosdep:typo", base(services), "", False)
     with Registry(services.registry) as client:
         client.put_blob("rosml/rosdep", oci.EMPTY_BLOB)
         client.put_manifest("rosml/rosdep", "image", oci.artifact("text/plain", oci.EMPTY_BLOB, "text/plain"))
-    with pytest.raises(RosmlError, match=":image has no lists of rosdep"):
-        finder.find("rosdep:image", base(services), "", False)
+    option = "^--rosdep-index, or its variable ROSDEP_INDEX, names"
+    for name, problem in (
+        ("typo", rf"{option} typo: there is no folder .*/typo$"),
+        (f"{services.registry}/rosml/rosdep:typo", rf"{option} .*:typo: there are no lists of rosdep .* \(looked for"),
+        ("rosdep:image", ":image has no lists of rosdep"),
+    ):
+        with pytest.raises(RosmlError, match=problem):
+            finder.find(name, base(services), "", False)
 
 
-def test_what_is_damaged_leaves_no_folder(services: Services, tmp_path: Path) -> None:
+def test_damaged_lists_leave_no_folder(services: Services, tmp_path: Path) -> None:
     blob = gzip.compress(b"no tar file" * 100)
     with Registry(services.registry) as client:
-        for part in (blob, oci.EMPTY_BLOB):
-            client.put_blob("rosml/rosdep", part)
+        for content in (blob, oci.EMPTY_BLOB):
+            client.put_blob("rosml/rosdep", content)
         client.put_manifest("rosml/rosdep", "latest", oci.artifact(rosdep_index.TYPE, blob, rosdep_index.LAYER))
-    finder, said = Finder(services, tmp_path, lambda text: said.append(text)), list[str]()
+    sentences: list[str] = []
+    finder = Finder(services, tmp_path, sentences.append)
     with pytest.raises(RosmlError, match="cannot be unpacked"):
         finder.find(f"{services.registry}/rosml/rosdep:latest", base(services), "", False)
-    assert finder.find("", base(services), "", False) is None, "who did not ask for them builds without"
-    assert "cannot be unpacked" in said[0]
+    assert finder.find("", base(services), "", False) is None, "without a name, the build goes on without lists"
+    assert "cannot be unpacked" in sentences[0]
     assert not list((services.state / "cache/rosdep").iterdir())
 
 
@@ -135,37 +142,27 @@ def test_lists_are_written_into_their_folder_alone(tmp_path: Path) -> None:
     assert [file for file in tmp_path.rglob("*") if not file.is_dir()] == [tmp_path / "lists/rosdep/base.yaml"]
 
 
-def test_what_github_has_is_cloned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    program = tmp_path / "git"
-    program.write_text('#!/bin/sh\nfor folder; do :; done\nmkdir -p "$folder"\necho "$@" >"$folder/said"\n')
-    program.chmod(0o755)
+def test_without_a_checkout_github_is_cloned(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    executable(tmp_path / "git", 'for folder; do :; done\nmkdir -p "$folder"\necho "$@" >"$folder/arguments"')
     monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
     with rosdep_index.checkout(None) as folder:
-        assert "--depth 1 https://github.com/ros/rosdistro" in (folder / "said").read_text()
+        assert "--depth 1 https://github.com/ros/rosdistro" in (folder / "arguments").read_text()
     assert not folder.exists()
-    program.write_text("#!/bin/sh\necho 'fatal: no network' >&2\nexit 128\n")
+    executable(tmp_path / "git", "echo 'fatal: no network' >&2\nexit 128")
     with pytest.raises(RosmlError, match="cannot be cloned: no network"), rosdep_index.checkout(None):
         pass
 
 
-def test_a_pinned_state_needs_no_registry_once_it_is_there(services: Services, checkout: Path, tmp_path: Path) -> None:
-    digest = published(services, checkout)
-    finder = Finder(services, tmp_path, lambda text: None)
-    there = finder.find("", base(services), digest, True)
-    away = Finder(dataclasses.replace(services, registry="127.0.0.1:9"), tmp_path, lambda text: None)
-    assert away.find("", Base("127.0.0.1:9/rosml/ros:x", "sha256:1", {}, OURS), digest, True) == there
-
-
-def test_few_states_are_kept(services: Services, checkout: Path, tmp_path: Path) -> None:
+def test_few_states_are_kept(services: Services, checkout: Path, finder: Finder) -> None:
     for number in range(8):
         (checkout / "rosdep/base.yaml").write_text(f"a{number}: {{}}\n")
         published(services, checkout)
-        found = Finder(services, tmp_path, lambda text: None).find("", base(services), "", False)
-        assert found and f"a{number}" in (found[0] / "rosdep/base.yaml").read_text()
+        lists = finder.find("", base(services), "", False)
+        assert lists and f"a{number}" in (lists[0] / "rosdep/base.yaml").read_text()
     assert len(list((services.state / "cache/rosdep").iterdir())) == rosdep_index.KEPT
 
 
-def test_what_all_builds_would_stumble_over_is_not_published(checkout: Path) -> None:
+def test_lists_that_would_break_builds_are_not_published(checkout: Path) -> None:
     (checkout / "rosdep/base.yaml").write_text("x: [")
     with pytest.raises(RosmlError, match=r"rosdep/base\.yaml is no YAML"):
         rosdep_index.packed(checkout)
@@ -173,6 +170,14 @@ def test_what_all_builds_would_stumble_over_is_not_published(checkout: Path) -> 
     (checkout / "rosdep/link.yaml").symlink_to("/etc/hostname")
     with pytest.raises(RosmlError, match="leads out of"):
         rosdep_index.packed(checkout)
+    (checkout / "rosdep/link.yaml").unlink()
+    for path in ("index-v4.yaml", "rosdep/base.yaml", "jazzy/distribution.yaml"):
+        content = (checkout / path).read_text()
+        (checkout / path).unlink()
+        with pytest.raises(RosmlError) as caught:
+            rosdep_index.packed(checkout)
+        assert caught.value.exit_code == 2
+        (checkout / path).write_text(content)
 
 
 def test_a_clone_has_the_same_lists_as_another(checkout: Path, tmp_path: Path) -> None:
@@ -184,12 +189,7 @@ def test_a_clone_has_the_same_lists_as_another(checkout: Path, tmp_path: Path) -
         rosdep_index.copied(checkout / "jazzy", tmp_path / "out")
 
 
-@pytest.mark.parametrize("path", ["index-v4.yaml", "rosdep/base.yaml", "jazzy/distribution.yaml"])
-def test_what_is_no_whole_checkout_is_not_published(path: str, checkout: Path) -> None:
-    (checkout / path).unlink()
-    with pytest.raises(RosmlError) as caught:
-        rosdep_index.packed(checkout)
-    assert caught.value.exit_code == 2
+# ---- rosdep, in the build --------------------------------------------------------------------------------------------
 
 
 class Rules:
@@ -221,30 +221,28 @@ class Rules:
         return ["by_source"]
 
 
-def identify(monkeypatch: pytest.MonkeyPatch) -> types.ModuleType:
-    """The script, without what only a base image has."""
-    for name in ("rosdep2", "rosdep2.lookup", "rosdep2.rospkg_loader", "rosdep2.sources_list", "manifests"):
-        monkeypatch.setitem(sys.modules, name, types.ModuleType(name))
-    for name, module in (
-        ("RosdepLookup", "rosdep2"),
-        ("create_default_installer_context", "rosdep2"),
-        ("get_default_installer", "rosdep2"),
-        ("DEFAULT_VIEW_KEY", "rosdep2.rospkg_loader"),
-        ("SourcesListLoader", "rosdep2.sources_list"),
-    ):
-        monkeypatch.setattr(sys.modules[module], name, None, raising=False)
-    monkeypatch.setattr(sys.modules["rosdep2.lookup"], "ResolutionError", LookupError, raising=False)
-    monkeypatch.setattr(
-        sys.modules["manifests"], "fail", lambda text, remedy: sys.exit(f"{text}; {remedy}"), raising=False
-    )
+@pytest.fixture
+def script(monkeypatch: pytest.MonkeyPatch) -> types.ModuleType:
+    """The script, without modules that only a base image has."""
+    attributes: dict[str, dict[str, object]] = {
+        "rosdep2": dict.fromkeys(("RosdepLookup", "create_default_installer_context", "get_default_installer")),
+        "rosdep2.lookup": {"ResolutionError": LookupError},
+        "rosdep2.rospkg_loader": {"DEFAULT_VIEW_KEY": None},
+        "rosdep2.sources_list": {"SourcesListLoader": None},
+        "manifests": {"fail": lambda text, remedy: sys.exit(f"{text}; {remedy}")},
+    }
+    for name, values in attributes.items():
+        module = types.ModuleType(name)
+        vars(module).update(values)
+        monkeypatch.setitem(sys.modules, name, module)
     return script_of_a_build("containerize/identify.py")
 
 
-def test_conditions_compare_with_what_the_base_image_stands_for(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_conditions_compare_with_the_release_of_the_base_image(
+    script: types.ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    script, asked = identify(monkeypatch), list[dict[str, str]]()
-    package = types.SimpleNamespace(name="robot", evaluate_conditions=asked.append)
+    contexts = list[dict[str, str]]()
+    package = types.SimpleNamespace(name="robot", evaluate_conditions=contexts.append)
     for attributes in script.KINDS.values():
         for attribute in attributes:
             setattr(package, attribute, [])
@@ -253,22 +251,21 @@ def test_conditions_compare_with_what_the_base_image_stands_for(
     for conditions in ("noetic", ""):
         monkeypatch.setenv("CONDITIONS", conditions)
         script.read(tmp_path, tmp_path)
-    assert [context["ROS_DISTRO"] for context in asked] == ["noetic", "Debian"]
+    assert [context["ROS_DISTRO"] for context in contexts] == ["noetic", "Debian"]
 
 
 @pytest.mark.parametrize(
-    ("key", "says"),
+    ("key", "problem"),
     [
         ("by_source", r"rule for by_source, which arm, robot asks for, .* source: .*x\.rdmanifest"),
         ("by_snap", r"rule for by_snap, which arm, robot asks for, .* snap: \[\"x\"\]; .*--skip-keys by_snap"),
         ("above", r"rule for above, which arm, robot asks for, .* source: "),
     ],
 )
-def test_a_rule_that_no_image_can_follow_is_named(key: str, says: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_rule_that_no_image_can_follow_is_named(script: types.ModuleType, key: str, problem: str) -> None:
     """One of sources asks the network as soon as rosdep looks at it."""
-    script = identify(monkeypatch)
     rosdep = object.__new__(script.Rosdep)
     rosdep._view, rosdep._context, rosdep._platform, rosdep._may_ask, rosdep.failure = Rules(), Rules(), (), False, ""
     packages = {name: {"exec": {key}} for name in ("robot", "arm")}
-    with pytest.raises(SystemExit, match=says):
+    with pytest.raises(SystemExit, match=problem):
         script.answers(packages, set(), rosdep)
