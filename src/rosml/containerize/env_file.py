@@ -21,8 +21,11 @@ _BETWEEN = re.compile(r"(?:[ \t\n]+|(?<![^ \t\n])#[^\n]*)*")
 
 _NAME = re.compile(r"(?:export[ \t]+)?([A-Za-z_][A-Za-z0-9_]*)=")
 
-_PIECE = re.compile(r"""'([^']*)'|"([^"\\]*(?:\\.[^"\\]*)*)"|\\(.)|([^ \t\n'"\\]++)""", re.DOTALL)
-"""A piece of a value. A shell's only blanks are spaces, tabs and line ends."""
+BLANKS = " \t\n"
+"""A shell has no others."""
+
+PIECE = re.compile(r"""'([^']*)'|"([^"\\]*(?:\\.[^"\\]*)*)"|\\(.)|([^ \t\n'"\\]++)""", re.DOTALL)
+"""A piece of a word."""
 
 
 def read(file: Path) -> dict[str, str]:
@@ -62,8 +65,8 @@ def _refusal(file: Path, text: str, place: int, why: str) -> RosmlError:
 def _value(text: str, place: int, refusal: Callable[[str], RosmlError]) -> tuple[str, int]:
     """The value that begins at a place, and where it ends."""
     pieces: list[str] = []
-    while place < len(text) and text[place] not in " \t\n":
-        piece = _PIECE.match(text, place)
+    while place < len(text) and text[place] not in BLANKS:
+        piece = PIECE.match(text, place)
         if piece is None:
             raise refusal("its quotation has no end")
         single, double, escaped, bare = piece.groups()

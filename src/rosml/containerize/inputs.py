@@ -209,8 +209,6 @@ _PATTERNS = {
 }
 """Inputs that become part of package names, or numbers in a script: the pattern of their values, and a remedy."""
 
-_PIECE = re.compile(r"""'([^']*)'|"((?:[^"\\]|\\.)*)"|\\(.)|([^\s'"\\]+)""", re.DOTALL)
-
 
 def default(name: str) -> str:
     return _BY_NAME[name].default
@@ -310,13 +308,13 @@ def _problem_of_words(text: str) -> str:
     """Why a shell cannot read a text as plain words; empty if it can."""
     place = 0
     while place < len(text):
-        if text[place].isspace():
+        if text[place] in env_file.BLANKS:
             place += 1
             continue
-        piece = _PIECE.match(text, place)
+        piece = env_file.PIECE.match(text, place)
         if piece is None:
             return "its quotation has no end"
-        begins = place == 0 or text[place - 1].isspace()
+        begins = place == 0 or text[place - 1] in env_file.BLANKS
         if special := re.search(r"^#|[;|&()<>`]" if begins else "[;|&()<>`]", piece[4] or ""):
             return f"{special[0]} needs quotes"
         place = piece.end()

@@ -14,7 +14,8 @@ import pytest
 from fakes.stubs import executable
 from rosml.base.errors import RosmlError
 from rosml.containerize.lock import Pin
-from rosml.containerize.sources.fetch import Access, Options, Repository, fetch
+from rosml.containerize.sources.fetch import Options, Repository, fetch
+from rosml.containerize.sources.git import Access
 
 NOBODY = Access()
 SECRET = "s3cret-canary"

@@ -124,7 +124,7 @@ def _none(text: str, services: Services, digest: str, near: str, refused: RosmlE
     names = candidates(text, services)
     if refused and len(names) == 1:
         return refused
-    ours = _ours(text) or _app_here(text, services)
+    ours = _full_name(text, services)
     if refused:
         problem = f"there is no image {text} in the local registry, and {refused.message}"
         return RosmlError(problem, ours or near or refused.remedy)
@@ -168,18 +168,13 @@ def _tags(registry: Registry, place: references.Reference) -> list[str]:
     return [tag for tag in registry.tags(place.repository) if not tag.startswith("sha256-")]
 
 
-def _ours(text: str) -> str:
-    """What to do about the name of one of our images that nobody has built, or of its target; empty for others."""
+def _full_name(text: str, services: Services) -> str:
+    """What to do about the name of one of our images that nobody has built, of its target, or of an app in the local registry."""
     images = load(MATRIX)
     if image := images.by_tag(text):
         return f"build it first: rosml image {image.target}"
     if image := images.by_target.get(text):
         return f"name the image by its tag: {image.tags[0]}"
-    return ""
-
-
-def _app_here(text: str, services: Services) -> str:
-    """How to write the name of an app in the local registry, if it has one of that name; empty if not."""
     if not services.registry or references.has_registry(text):
         return ""
     with Registries(services.ca_bundle) as registries, contextlib.suppress(RosmlError):

@@ -270,7 +270,7 @@ def write_requests(values: Values, folder: Path, upstream: Path, environment: Ma
 
 
 def text_of(folder: Path, name: str, roots: tuple[Path, ...] = ()) -> str:
-    """The text of a file of the repository; with roots, that of all files of its name below them."""
+    """The text of a file of the repository; with roots, that of all files of its name below them, without those of git."""
     paths = [(path, root) for root in roots for path in _of_name(os.path.basename(name), root)]
     texts = [_text(path, root) for path, root in (paths if roots else [(folder / name, folder)])]
     return "".join(text if text.endswith("\n") or not text else f"{text}\n" for text in texts)
@@ -284,7 +284,6 @@ def _text(path: Path, root: Path) -> str:
 
 
 def _of_name(name: str, root: Path) -> list[Path]:
-    """All files and folders of a name below a folder, also broken links, without those of git."""
     paths = []
     for path, folders, names in os.walk(root):
         folders[:] = [below for below in folders if below != ".git"]

@@ -23,8 +23,6 @@ from rosml.containerize.sources.tree import Tree, beside
 from rosml.containerize.sources.versions import Version, resolve
 from rosml.machine.git import trusting
 
-__all__ = ["Access", "Options", "Repository", "fetch"]
-
 WORKERS = 8
 """How many repositories are fetched at the same time. Most of the time is spent waiting for servers."""
 

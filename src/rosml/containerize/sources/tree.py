@@ -54,7 +54,10 @@ class Tree:
             yield Path(staging) / "new"
             with self._guard:
                 self._forget(path)
-                self._make_above(path)
+                for above in reversed(PurePosixPath(path).parents[:-1]):
+                    if not (self._folder / above).exists():
+                        (self._folder / above).mkdir()
+                        (self._folder / above).chmod(0o755)  # whatever the umask is
                 (Path(staging) / "new").rename(self._folder / path)
                 self._here[path] = [url, commit]
                 self._save()
@@ -85,13 +88,6 @@ class Tree:
             place = self._folder / above
             if above == path or place.is_symlink() or not place.is_dir():
                 _remove(place)
-
-    def _make_above(self, path: str) -> None:
-        """Makes the folders around a repository, with modes that do not depend on the umask."""
-        for above in reversed(PurePosixPath(path).parents[:-1]):
-            if not (self._folder / above).exists():
-                (self._folder / above).mkdir()
-                (self._folder / above).chmod(0o755)
 
     def _save(self) -> None:
         write(self._file, json.dumps(self._here, indent=1, sort_keys=True))

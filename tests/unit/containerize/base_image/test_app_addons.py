@@ -171,7 +171,7 @@ def test_a_part_that_is_another_one(claims: dict[str, str] | None, problem: str,
     graph = part("graph", "cpu")
     labels = {f"io.rosml.{name}": value for name, value in (claims or {}).items()}
     platforms = () if claims is None else BOTH
-    replace(graph, labels=graph.labels | labels).put(place.registry, "rosml/part", "graph-cpu-py311", platforms)
+    replace(graph, labels={**graph.labels, **labels}).put(place.registry, "rosml/part", "graph-cpu-py311", platforms)
     assert problem in refusal(place, plain(place), "graph-cpu").message
 
 

@@ -10,7 +10,7 @@ import sys
 import tarfile
 import types
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any
 
 import pytest
 
@@ -192,33 +192,19 @@ def test_a_clone_has_the_same_lists_as_another(checkout: Path, tmp_path: Path) -
 # ---- rosdep, in the build --------------------------------------------------------------------------------------------
 
 
-class Rules:
-    """A view of rosdep's lists with one rule for each key, and an installer that asks the network."""
+RULES: dict[str, tuple[str, Any]] = {
+    "by_source": ("source", {"uri": "https://example.org/x.rdmanifest", "md5sum": "abc"}),
+    "by_snap": ("snap", ["x"]),
+    "above": ("apt", ["above"]),
+}
 
-    rules: ClassVar[dict[str, tuple[str, Any]]] = {
-        "by_source": ("source", {"uri": "https://example.org/x.rdmanifest", "md5sum": "abc"}),
-        "by_snap": ("snap", ["x"]),
-        "above": ("apt", ["above"]),
-    }
 
-    def __init__(self, key: str = "") -> None:
-        self._key = key
-
-    def lookup(self, key: str) -> Rules:
-        return Rules(key)
-
-    def get_rule_for_platform(self, *_: object) -> tuple[str, Any]:
-        return self.rules[self._key]
-
-    def get_installer(self, name: str) -> Rules:
-        assert name == "apt", f"{name} would ask the network"
-        return self
-
-    def resolve(self, rule: list[str]) -> list[str]:
-        return rule
-
-    def get_depends(self, rule: object) -> list[str]:
-        return ["by_source"]
+def view_and_context() -> tuple[object, object]:
+    """A view of rosdep's lists with one rule for each key, and an installer that is asked for packages of apt alone."""
+    apt = types.SimpleNamespace(resolve=lambda rule: rule, get_depends=lambda rule: ["by_source"])
+    installers = {"apt": apt}  # others would ask the network
+    view = types.SimpleNamespace(lookup=lambda key: types.SimpleNamespace(get_rule_for_platform=lambda *_: RULES[key]))
+    return view, types.SimpleNamespace(get_installer=installers.__getitem__)
 
 
 @pytest.fixture
@@ -265,7 +251,8 @@ def test_conditions_compare_with_the_release_of_the_base_image(
 def test_a_rule_that_no_image_can_follow_is_named(script: types.ModuleType, key: str, problem: str) -> None:
     """One of sources asks the network as soon as rosdep looks at it."""
     rosdep = object.__new__(script.Rosdep)
-    rosdep._view, rosdep._context, rosdep._platform, rosdep._may_ask, rosdep.failure = Rules(), Rules(), (), False, ""
+    rosdep._view, rosdep._context = view_and_context()
+    rosdep._platform, rosdep._may_ask, rosdep.failure = (), False, ""
     packages = {name: {"exec": {key}} for name in ("robot", "arm")}
     with pytest.raises(SystemExit, match=problem):
         script.answers(packages, set(), rosdep)

@@ -243,7 +243,7 @@ def test_a_call_that_is_killed_is_finished_by_the_next(place: Place) -> None:
     counting = f'echo >>{place.root}/calls\ntest "$(wc -l <{place.root}/calls)" != "${{LAST:-0}}"'
     place.program("git", f'{counting} || {{ kill -9 $PPID; exit 1; }}\nexec {GIT} "$@"')
     code = (
-        "import sys; from pathlib import Path; from rosml.containerize.sources.fetch import Access, Options, fetch;"
+        "import sys; from pathlib import Path; from rosml.containerize.sources.fetch import Options, fetch; from rosml.containerize.sources.git import Access;"
         "fetch(*map(Path, sys.argv[1:]), Access(), Options(local=True))"
     )
     command = [sys.executable, "-c", code, str(place.target), str(place.out), str(place.cache)]

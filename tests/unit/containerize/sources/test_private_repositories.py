@@ -24,8 +24,7 @@ from fakes.repositories import GIT, NOBODY, SECRET, Place, commit, git, place_of
 from fakes.stubs import executable
 from rosml.base import web
 from rosml.containerize.sources import fetch as sources
-from rosml.containerize.sources.fetch import Access
-from rosml.containerize.sources.git import Failed, opened
+from rosml.containerize.sources.git import Access, Failed, opened
 
 
 @pytest.fixture
