@@ -68,7 +68,7 @@ class Failed(Exception):
 
     @property
     def could_not_write(self) -> bool:
-        """Whether the disk is full. git often does not say the reason."""
+        """Whether git could not write, as on a full disk. git often does not say the reason."""
         reasons = ("No space left on device", "Disk quota exceeded", "unable to write")
         return any(text in self.stderr for text in reasons)
 
