@@ -216,7 +216,7 @@ class _Search:
         """Checks that an add-on works on the base image's operating system: a part for any Python does not say that."""
         matrix, onto = _matrix(), self._onto()
         stack = choice.stack or onto.stack
-        if onto.known(matrix) and (reason := rules.system_reason(matrix, onto.distribution, stack, choice.addon)):
+        if onto.exists_in(matrix) and (reason := rules.system_reason(matrix, onto.distribution, stack, choice.addon)):
             remedy = f"{self.before}{image_addons.instead(matrix, onto, choice.addon)}"
             raise RosmlError(reason, remedy, exit_code=2)
 
@@ -228,7 +228,7 @@ class _Search:
             if choice.addon:
                 return RosmlError(refused.message, f"{self.before}{refused.remedy}", exit_code=2)
             return RosmlError(text, f"{refused.message}; {refused.remedy}; or publish its parts there", exit_code=2)
-        if not onto.known(matrix):
+        if not onto.exists_in(matrix):
             return RosmlError(text, f"publish it there; '{PAGE}' has more", exit_code=2)
         present = self.base.labels.get(labels.PARTS, "").split()
         parts = image_addons.parts(matrix, onto.distribution, choice.addon, choice.stack or onto.stack, present)

@@ -273,7 +273,7 @@ def _read(registry: Registry, place: references.Reference, manifest: oci.Manifes
     used = [config for name, config in configs.items() if not platforms or name in platforms]
     first = configs[platforms[0]] if platforms else used[0]
     base = _base(str(place), manifest.digest, first.facts.config)
-    parts = dict.fromkeys(name for config in used for name in restricted.named(config.labels))
+    parts = dict.fromkeys(name for config in used for name in restricted.parts_of(config.labels))
     return replace(base, labels={**base.labels, RESTRICTED: " ".join(parts)}) if parts else base
 
 
