@@ -32,8 +32,8 @@ sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts f
 
 from rosml.base import archives, untrusted, web
 from rosml.base.errors import RosmlError
+from rosml.containerize import env_file, lock, names
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize import lock, names
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image import rosdep_index
 from rosml.containerize.build import attachments as contents
