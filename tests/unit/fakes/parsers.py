@@ -54,7 +54,7 @@ from rosml.delivery import image as saved_image
 from rosml.delivery.complete import choose, complete
 from rosml.delivery.sources import InArchive
 from rosml.images.builds import adopted, apt_sources, base_images, package_state, release_file, structure_tests, sync
-from rosml.images.catalogue import read
+from rosml.images.catalogue import scans
 from rosml.images.image_set import labels, load, lock_file, restricted, system
 from rosml.images.image_set.apt_repository import AptRepository
 from rosml.images.join import facts, file_lists
@@ -479,7 +479,7 @@ def entry_of(document: bytes, folder: Path) -> object:
 def scan_of(document: bytes, folder: Path) -> object:
     """What a record says of a scan."""
     entry = store.parse({**ENTRY, "scan": untrusted.json_of(document, "a")})
-    return entry and read.scan_of(entry)
+    return entry and scans.scan_of(entry)
 
 
 class Receiver:

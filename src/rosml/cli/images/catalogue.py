@@ -61,19 +61,17 @@ def main(registry: str, matrix: Path, only: tuple[str, ...], output: Path, histo
     place = options.place_of(registry, ROOT)
     with place.client:
         gatherer = Gatherer(image_set, place, history)
-        found = gatherer.gather(now(), only)
-        packages, unread = ({}, []) if as_json else read_packages(place, found)
+        published = gatherer.gather(now(), only)
+        packages, unread = ({}, []) if as_json else read_packages(place, published)
     for remark in (*gatherer.remarks, *unread):
         command.warn(remark)
     if as_json:
-        terminal.echo(site.text(found), nl=False)
+        terminal.echo(site.text(published), nl=False)
         return
     try:
-        written = site.write(output, found, packages)
+        written = site.write(output, published, packages)
     except OSError as error:
         raise RosmlError(f"{output}: {error.strerror}", "choose a writable folder") from None
-    published = sum(image.status == "built" for image in found.images)
-    terminal.echo(
-        f"{counted(len(found.images), 'image')} described, {published} of them published in {found.registry}", err=True
-    )
+    described, built = counted(len(published.images), "image"), sum(it.status == "built" for it in published.images)
+    terminal.echo(f"{described} described, {built} of them published in {published.registry}", err=True)
     terminal.echo(next(file for file in written if file.name == "index.html").resolve().as_uri())

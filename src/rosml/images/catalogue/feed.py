@@ -24,7 +24,7 @@ IMAGES = 100
 """The most images that an entry describes; it counts the others."""
 
 VERSIONS = 8
-"""The most versions that are told of an image."""
+"""The most versions that an image has in the feed."""
 
 LONGEST = 80
 """The most characters of a version."""
@@ -80,7 +80,6 @@ def _title(run: str, moved: Sequence[Moved]) -> str:
 
 
 def _content(moved: Sequence[Moved], layers: Sequence[Layer]) -> str:
-    """A list of images in HTML, each with what changed."""
     lines = [
         f'<li><a href="index.html#/image/{html.escape(image.target)}">{html.escape(image.target)}</a>: '
         f"{html.escape(_change(image, move, layers))}</li>"
@@ -95,48 +94,44 @@ def _change(image: Image, move: Move, layers: Sequence[Layer]) -> str:
     builds = {build.digest: build for build in image.builds}
     before, after = builds.get(move.old), builds.get(move.new)
     if not move.old:
-        said = ["new"]
+        changes = ["new"]
     elif before is None or after is None:
-        said = ["changed"]
+        changes = ["changed"]
     else:
-        said = list(_differences(before, after, layers)) or ["only the configuration changed"]
+        changes = list(_differences(before, after, layers)) or ["only the configuration changed"]
     present = next((tag.digest for tag in image.tags if tag.kind == "main"), "")
-    if (
-        move is image.moves[0] and present != move.new
-    ):  # nobody else moved the tag, but `rosml publish undo` or a person
-        said.append("its tag was moved back since" if present else "its tag was removed since")
-    return "; ".join(said)
+    if move is image.moves[0] and present != move.new:  # `rosml publish undo` or a person moved the tag
+        changes.append("its tag was moved back since" if present else "its tag was removed since")
+    return "; ".join(changes)
 
 
 def _differences(before: Build, after: Build, layers: Sequence[Layer]) -> Iterator[str]:
     """What differs between two builds, over all platforms."""
-    old = {platform.platform: platform for platform in before.platforms}
-    new = {platform.platform: platform for platform in after.platforms}
-    if added := new.keys() - old.keys():
+    earlier = {platform.platform: platform for platform in before.platforms}
+    later = {platform.platform: platform for platform in after.platforms}
+    if added := later.keys() - earlier.keys():
         yield f"now for {listed(sorted(added))} as well"
-    if lost := old.keys() - new.keys():
+    if lost := earlier.keys() - later.keys():
         yield f"no longer for {listed(sorted(lost))}"
-    both = [(old[name], new[name]) for name in new if name in old]
-    if parts := dict.fromkeys(part for pair in both for part in _parts(*pair, layers)):
+    both = [(earlier[name], later[name]) for name in later if name in earlier]
+    if parts := dict.fromkeys(part for pair in both for part in _changed_parts(*pair, layers)):
         yield f"{listed([part or 'other layers' for part in parts])} changed"
-    versions = list(dict.fromkeys(text for pair in both for text in _versions(*pair)))
+    versions = list(dict.fromkeys(text for pair in both for text in _changed_versions(*pair)))
     yield from versions[:VERSIONS]
     if len(versions) > VERSIONS:
         yield f"{len(versions) - VERSIONS} more versions"
 
 
-def _parts(before: Platform, after: Platform, layers: Sequence[Layer]) -> Iterator[str]:
-    """The parts whose layers differ between two builds."""
+def _changed_parts(before: Platform, after: Platform, layers: Sequence[Layer]) -> Iterator[str]:
     for position in (*after.layers, *before.layers):
         if (position in before.layers) != (position in after.layers):
             yield layers[position].part
 
 
-def _versions(before: Platform, after: Platform) -> Iterator[str]:
-    """The versions that differ between two builds. Labels name less than was found inside."""
-    if before.found_inside != after.found_inside:
+def _changed_versions(before: Platform, after: Platform) -> Iterator[str]:
+    if before.found_inside != after.found_inside:  # labels name less than was found inside
         return
     for name in sorted(before.versions.keys() | after.versions.keys()):
-        old, new = (platform.versions.get(name, "none") for platform in (before, after))
-        if old != new:
-            yield f"{name[:LONGEST]} {old[:LONGEST]} → {new[:LONGEST]}"
+        earlier, later = (platform.versions.get(name, "none") for platform in (before, after))
+        if earlier != later:
+            yield f"{name[:LONGEST]} {earlier[:LONGEST]} → {later[:LONGEST]}"

@@ -28,26 +28,30 @@ STYLE = """\
 
 
 def shown(image_set: ImageSet) -> tuple[Image, ...]:
-    """The default image; then its relatives in the order in which somebody may want them: without a framework, with more of ROS,
-    of another distribution on the same system."""
+    """The default image; then its relatives in the order in which somebody may want them: without a framework, with
+    more of ROS, of another distribution on the same system."""
     default = image_set.image(image_set.matrix.default.targets[0])
-    relatives = [image for image in image_set.images if image.stack == default.stack and image.os == default.os]
-    like = [image for image in relatives if image.combination == default.combination]
+    relatives = [
+        image
+        for image in image_set.images
+        if (image.stack, image.os, image.combination) == (default.stack, default.os, default.combination)
+    ]
     larger = [
         image
-        for image in like
+        for image in relatives
         if image.distribution == default.distribution and default.component in _below(image_set, image.component)
     ]
     others = [
-        image for image in like if image.distribution != default.distribution and image.component == default.component
+        image
+        for image in relatives
+        if image.distribution != default.distribution and image.component == default.component
     ]
     plain = image_set.by_target.get(default.parent)
-    found = [default, plain, max(larger, key=lambda image: image.disk.compressed, default=None), *others[:1]]
-    return tuple(image for image in found if image)
+    largest = max(larger, key=lambda image: image.disk.compressed, default=None)
+    return tuple(image for image in (default, plain, largest, *others[:1]) if image)
 
 
 def _below(image_set: ImageSet, component: str) -> Iterator[str]:
-    """The components below one."""
     below = image_set.matrix.components[component].builds_on
     while below:
         yield below
@@ -56,21 +60,20 @@ def _below(image_set: ImageSet, component: str) -> Iterator[str]:
 
 def new_mb(image_set: ImageSet, images: tuple[Image, ...]) -> list[int]:
     """Compressed megabytes that each image adds to those before it."""
-    known: set[str] = set()
-    found = []
-    for image in images:
-        made = disk.layers(image_set, image)
-        found.append(sum(size for name, size in made.items() if name not in known))
-        known |= made.keys()
-    return found
+    return [
+        sum(size for name, size in disk.layers(image_set, image).items() if name not in pulled)
+        for image, pulled in zip(images, _pulled_before(image_set, images), strict=True)
+    ]
 
 
 def render(image_set: ImageSet) -> str:
     """The picture of images."""
     images = shown(image_set)
     rows = [
-        _Row(image.tags[0], _bars(image_set, image, known), f"{_gigabytes(added)} new")
-        for image, known, added in zip(images, _known(image_set, images), new_mb(image_set, images), strict=True)
+        _Row(image.tags[0], _bars(image_set, image, pulled), f"{_gigabytes(added)} new")
+        for image, pulled, added in zip(
+            images, _pulled_before(image_set, images), new_mb(image_set, images), strict=True
+        )
     ]
     return _picture("Images share layers", "compressed size; dashed: pulled with an image above", rows)
 
@@ -126,21 +129,21 @@ def _picture(title: str, above: str, rows: Sequence[_Row]) -> str:
 """
 
 
-def _known(image_set: ImageSet, images: tuple[Image, ...]) -> Iterator[frozenset[str]]:
+def _pulled_before(image_set: ImageSet, images: tuple[Image, ...]) -> Iterator[frozenset[str]]:
     """For each image, the layers of those before it."""
-    known: frozenset[str] = frozenset()
+    pulled: frozenset[str] = frozenset()
     for image in images:
-        yield known
-        known |= disk.layers(image_set, image).keys()
+        yield pulled
+        pulled |= disk.layers(image_set, image).keys()
 
 
-def _bars(image_set: ImageSet, image: Image, known: frozenset[str]) -> list[_Bar]:
-    found = []
+def _bars(image_set: ImageSet, image: Image, pulled: frozenset[str]) -> list[_Bar]:
+    bars = []
     for name, size in disk.layers(image_set, image).items():
         label = image_set.part_by_name[name].kind if name in image.parts else name.removeprefix("_os-")
-        kind = "there" if name in known else "part" if name in image.parts else "ros"
-        found.append(_Bar(label, size, kind))
-    return found
+        kind = "there" if name in pulled else "part" if name in image.parts else "ros"
+        bars.append(_Bar(label, size, kind))
+    return bars
 
 
 def _drawn(row: _Row, top: int, scale: float) -> str:

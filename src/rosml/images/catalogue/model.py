@@ -12,7 +12,7 @@ from pydantic import ConfigDict, Field
 
 from rosml.base.shapes import Shape
 from rosml.images.image_set import missing
-from rosml.images.image_set.model import Image as Wanted
+from rosml.images.image_set.model import Image as MatrixImage
 from rosml.images.matrix.patterns import DIGEST
 from rosml.images.scan.policy import ADVISORY, LONGEST, Severity
 
@@ -27,7 +27,6 @@ WORDS: dict[Status, str] = {"built": "built", "not built": "not built yet"}
 Bytes = Annotated[int, Field(ge=0)]
 Digest = Annotated[str, Field(pattern=DIGEST)]
 Count = Annotated[int, Field(ge=0)]
-
 
 SIGNER = r"^(?:https://[A-Za-z0-9._~/@:+-]+|sha256:[0-9a-f]{64})$"
 """A signature's identity that people may copy into a shell: the address of a workflow, or the digest of a public key."""
@@ -253,7 +252,7 @@ class Published(Fact):
     sharing: Sharing
 
 
-def status(image: Wanted, built: bool) -> tuple[Status, str]:
+def status(image: MatrixImage, built: bool) -> tuple[Status, str]:
     """Whether an image was built, tested and published (`built`), and if not, why."""
     if built:
         return "built", ""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-
 from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.images.catalogue.model import Published, Sbom
@@ -19,12 +17,8 @@ NIGHTS = 2
 
 
 def read(place: Place, published: Published) -> tuple[dict[str, list[Package]], list[str]]:
-    """The packages in the newest builds, by the digest of the SBOM; and what was left out, and why. Each SBOM is read once, although
-    many images share it.
-
-    Raises:
-        RosmlError: the registry does not answer.
-    """
+    """The packages in the newest builds, by the digest of the SBOM; and what was left out, and why. Each SBOM is read
+    once, although many images share it."""
     positions = dict.fromkeys(
         position
         for image in published.images
@@ -32,27 +26,25 @@ def read(place: Place, published: Published) -> tuple[dict[str, list[Package]], 
         for platform in build.platforms
         for position in platform.sboms
     )
-    wanted = [published.sboms[position] for position in positions]
-    found = side_by_side(lambda item: _packages(place, item), wanted, title="SBOMs")
-    read = {item.digest: packages for item, packages in zip(wanted, found, strict=True) if isinstance(packages, list)}
-    return read, [reason for reason in found if isinstance(reason, str)]
+    sboms = [published.sboms[position] for position in positions]
+    answers = side_by_side(lambda item: _packages(place, item), sboms, title="SBOMs")
+    read = {item.digest: packages for item, packages in zip(sboms, answers, strict=True) if isinstance(packages, list)}
+    return read, [reason for reason in answers if isinstance(reason, str)]
 
 
-def _packages(place: Place, wanted: Sbom) -> list[Package] | str:
+def _packages(place: Place, listed: Sbom) -> list[Package] | str:
     """The packages in an SBOM; or why it is left out."""
-    path = place.path(wanted.repository)
+    path = place.path(listed.repository)
     try:
-        artifact = place.client.manifest(path, wanted.digest)
+        artifact = place.client.manifest(path, listed.digest)
         subject = artifact.subject if artifact else ""
-        found = sbom.Shelf(place.client, {subject: wanted.digest}).load(path, subject)
-        return sorted(set(_described(found.packages)))
-    except ScannerFailed as error:
-        return f"the SBOM of {wanted.part} is left out: {error.message}"
+        content = sbom.Shelf(place.client, {subject: listed.digest}).load(path, subject)
+        return sorted({_package(component) for component in content.packages})
     except RosmlError as error:
-        place.client.head(path, wanted.digest)  # raises if the registry does not answer any more
-        return f"the SBOM of {wanted.part} is left out: {error.message}"
+        if not isinstance(error, ScannerFailed):
+            place.client.head(path, listed.digest)  # raises if the registry does not answer any more
+        return f"the SBOM of {listed.part} is left out: {error.message}"
 
 
-def _described(components: Iterable[sbom.Component]) -> Iterable[Package]:
-    for item in components:
-        yield item.name, item.version or "", item.purl.removeprefix("pkg:").partition("/")[0]
+def _package(component: sbom.Component) -> Package:
+    return component.name, component.version or "", component.purl.removeprefix("pkg:").partition("/")[0]

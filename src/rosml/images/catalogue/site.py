@@ -34,32 +34,26 @@ PACKAGES = "packages"
 
 
 def write(folder: Path, published: Published, packages: Mapping[str, Sequence[Package]] | None = None) -> list[Path]:
-    """Writes catalogue.json, the feed and the page into a folder, all or nothing. Returns the files.
-
-    Args:
-        packages: the packages in SBOMs, by the digests of these.
-
-    Raises:
-        RosmlError: a file cannot be written.
-    """
+    """Writes catalogue.json, the feed and the page into a folder, all or nothing. Returns the files. `packages` are
+    those in SBOMs, by the digests of these."""
     content = text(published)
-    known = {digest.removeprefix("sha256:"): found for digest, found in (packages or {}).items()}
-    wanted = {
+    by_name = {digest.removeprefix("sha256:"): items for digest, items in (packages or {}).items()}
+    contents = {
         "catalogue.json": content,
         "feed.xml": feed.render(published),
-        "data.js": f"{script(content)}window.packaged = {json.dumps(sorted(known))};\n",
+        "data.js": f"{script(content)}window.packaged = {json.dumps(sorted(by_name))};\n",
     }
     for source in sorted(SOURCES.iterdir()):
-        wanted[source.name] = source.read_text(encoding="utf-8")
-    for name, found in known.items():
-        data = json.dumps(json.dumps(found, separators=(",", ":")))
-        wanted[f"{PACKAGES}/{name}.js"] = f'window.rosml.packagesRead("{name}", JSON.parse({data}));\n'
+        contents[source.name] = source.read_text(encoding="utf-8")
+    for name, items in by_name.items():
+        data = json.dumps(json.dumps(items, separators=(",", ":")))
+        contents[f"{PACKAGES}/{name}.js"] = f'window.rosml.packagesRead("{name}", JSON.parse({data}));\n'
     folder.mkdir(parents=True, exist_ok=True)
-    if known:
+    if by_name:
         (folder / PACKAGES).mkdir(exist_ok=True)
-    files.write_all({folder / name: data for name, data in wanted.items()}, within=folder)
-    there = () if (folder / PACKAGES).is_symlink() else (folder / PACKAGES).glob("*.js")
-    for file in there:  # of builds that are gone
-        if re.fullmatch(r"[0-9a-f]{64}", file.stem) and file.stem not in known:
+    files.write_all({folder / name: data for name, data in contents.items()}, within=folder)
+    scripts = () if (folder / PACKAGES).is_symlink() else (folder / PACKAGES).glob("*.js")
+    for file in scripts:  # of builds that are gone
+        if re.fullmatch(r"[0-9a-f]{64}", file.stem) and file.stem not in by_name:
             file.unlink()
-    return [folder / name for name in wanted]
+    return [folder / name for name in contents]

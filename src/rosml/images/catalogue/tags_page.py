@@ -18,28 +18,19 @@ END_LICENCES = "<!-- /licences -->"
 
 
 def render(page: str, image_set: ImageSet) -> str:
-    """The page with the tables of this image set.
-
-    Raises:
-        RosmlError: the markers are missing.
-    """
+    """The page with the tables of this image set."""
     return _between("docs/tags.md", page, BEGIN, END, tables(image_set))
 
 
 def render_licences(page: str, image_set: ImageSet) -> str:
-    """The page with the licences of the parts of this image set.
-
-    Raises:
-        RosmlError: the markers are missing.
-    """
-    lines = ["| part | licence | it allows | goes to |", "| --- | --- | --- | --- |"]
+    """The page with the licences of the parts of this image set."""
+    lines = []
     for part in image_set.matrix.parts:
         spdx, allows = (part.licence.spdx, part.licence.allows) if part.licence else ("not said", "")
-        named = f"[{spdx}]({part.licence.page})" if part.licence and part.licence.page else spdx
-        lines.append(
-            f"| `{part.name}` | {named} | {allows} | {'private registries' if part.restricted else 'any registry'} |"
-        )
-    return _between("docs/licences.md", page, BEGIN_LICENCES, END_LICENCES, "\n".join(lines) + "\n")
+        link = f"[{spdx}]({part.licence.page})" if part.licence and part.licence.page else spdx
+        lines.append(_row(f"`{part.name}`", link, allows, "private registries" if part.restricted else "any registry"))
+    table = "\n".join([*_head("part", "licence", "it allows", "goes to"), *lines]) + "\n"
+    return _between("docs/licences.md", page, BEGIN_LICENCES, END_LICENCES, table)
 
 
 def _between(name: str, page: str, begin: str, end: str, table: str) -> str:
@@ -50,34 +41,39 @@ def _between(name: str, page: str, begin: str, end: str, table: str) -> str:
     return f"{head}{begin}\n{table}{end}{tail}"
 
 
+def _head(*columns: str) -> tuple[str, str]:
+    return _row(*columns), "| --- " * len(columns) + "|"
+
+
+def _row(*cells: str) -> str:
+    return f"| {' | '.join(cells)} |"
+
+
 def tables(image_set: ImageSet) -> str:
     """Images without a lock; distributions with their components; frameworks with their versions and distributions; add-ons."""
-    head = ["distribution", "ROS", "system, Python", "components", "end of life", "images"]
-    lines = [*_unlocked(image_set), f"| {' | '.join(head)} |", "| --- " * len(head) + "|"]
-    lines += [*_distributions(image_set)]
-    head = ["image", "content", "distributions", "platforms"]
-    lines += ["", f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_contents(image_set)]
+    lines = [
+        *_unlocked(image_set),
+        *_head("distribution", "ROS", "system, Python", "components", "end of life", "images"),
+        *_distributions(image_set),
+        "",
+        *_head("image", "content", "distributions", "platforms"),
+        *_contents(image_set),
+    ]
     if image_set.matrix.addons:
-        head = ["add-on", "brings", "stacks", "Python", "platforms", "goes to"]
-        lines += [
-            "",
-            "[Add-ons](addons.md) go onto any image of their stacks, also onto one that has no tag with them:",
-            "",
-        ]
-        lines += [f"| {' | '.join(head)} |", "| --- " * len(head) + "|", *_addons(image_set)]
+        text = "[Add-ons](addons.md) go onto any image of their stacks, also onto one that has no tag with them:"
+        head = _head("add-on", "brings", "stacks", "Python", "platforms", "goes to")
+        lines += ["", text, "", *head, *_addons(image_set)]
     return "\n".join(lines) + "\n"
 
 
 def _unlocked(image_set: ImageSet) -> Iterator[str]:
-    """The images that lack a lock, and how to make it; nothing if all can be built."""
     rows: dict[str, dict[str, None]] = {}
     lacking = [image for image in image_set.images if image.tags and not image.locked]
     for image in lacking:
         rows.setdefault(f"{image.repository}:<d>-<c>-{image.stack}", {})[image.distribution] = None
     if lacking:
-        remedies = listed(list(dict.fromkeys(missing.remedy(image) for image in lacking))).replace(
-            "'rosml locks'", "`rosml locks`"
-        )
+        remedies = listed(list(dict.fromkeys(missing.remedy(image) for image in lacking)))
+        remedies = remedies.replace("'rosml locks'", "`rosml locks`")
         yield from ("", f"These have no lock yet, and cannot be built before you {remedies}:", "")
         yield from (f"- `{tag}`: {listed(list(distributions))}" for tag, distributions in rows.items())
         yield ""
@@ -92,9 +88,9 @@ def _distributions(image_set: ImageSet) -> Iterator[str]:
         only = ", ".join(distribution.architectures)
         notes = [*(["experimental"] if distribution.experimental else []), *([f"{only} only"] if only else [])]
         note = f" ({', '.join(notes)})" if notes else ""
-        facts = [f"`{name}`{note}", str(distribution.ros), f"{distribution.os}, {python}", components, eol]
         number = sum(image.distribution == name and bool(image.tags) for image in image_set.images)
-        yield f"| {' | '.join([*facts, str(number)])} |"
+        system = f"{distribution.os}, {python}"
+        yield _row(f"`{name}`{note}", str(distribution.ros), system, components, eol, str(number))
 
 
 def _contents(image_set: ImageSet) -> Iterator[str]:
@@ -110,18 +106,12 @@ def _contents(image_set: ImageSet) -> Iterator[str]:
         others = dict.fromkeys(image.distribution for image in images if not image.locked)
         where = ", ".join(locked) if len(locked) < len(image_set.matrix.distributions) else "all"
         if others:
-            where = (
-                f"{where}; without a lock yet: {', '.join(others)}"
-                if locked
-                else f"without a lock yet: {', '.join(others)}"
-            )
+            where = f"{where}; " * bool(locked) + f"without a lock yet: {', '.join(others)}"
         platforms = ", ".join(dict.fromkeys(platform for image in images for platform in image.platforms))
-        facts = [f"`{first.repository}:{tag}`", _content(image_set, first), where, platforms]
-        yield f"| {' | '.join(facts)} |"
+        yield _row(f"`{first.repository}:{tag}`", _content(image_set, first), where, platforms)
 
 
 def _addons(image_set: ImageSet) -> Iterator[str]:
-    """A row for each version of an add-on, and for what it exists."""
     matrix = image_set.matrix
     for addon, entry in matrix.addons.items():
         main = matrix.part[entry.parts[-1]]
@@ -136,7 +126,7 @@ def _addons(image_set: ImageSet) -> Iterator[str]:
                 key = brings or main.title or addon, ", ".join(pythons), ", ".join(platforms)
                 rows.setdefault(key, []).append(f"`{stack}`")
         for (brings, python, on), stacks in rows.items():
-            yield f"| {' | '.join([f'`{addon}`', brings, ', '.join(stacks), python, on, where])} |"
+            yield _row(f"`{addon}`", brings, ", ".join(stacks), python, on, where)
 
 
 def _content(image_set: ImageSet, image: Image) -> str:
@@ -147,7 +137,6 @@ def _content(image_set: ImageSet, image: Image) -> str:
 
 
 def _abi(image_set: ImageSet, image: Image) -> str:
-    """A remark on images whose C++ libraries cannot be linked together with ROS's."""
     matrix = image_set.matrix
     for family in rules.families(matrix, matrix.carrying(image.framework, *image.addons)):
         if not matrix.releases[family][image.versions[family]].cxx11_abi:

@@ -17,9 +17,10 @@ _JETSON, _THOR = "arm64", "sm_110"
 
 
 def words(image_set: ImageSet, image: Image) -> tuple[str, ...]:
-    """Words for an image beside its name, its tags and the versions in it. A version follows its name: `python 3.12`."""
-    found = (*_distribution(image_set, image), *_machine(image_set, image), *_content(image_set, image))
-    return tuple(dict.fromkeys(word.lower() for word in found if word))
+    """Words for an image beside its name, its tags and the versions in it. A version follows its name: `python
+    3.12`."""
+    every = (*_distribution(image_set, image), *_machine(image_set, image), *_content(image_set, image))
+    return tuple(dict.fromkeys(word.lower() for word in every if word))
 
 
 def _distribution(image_set: ImageSet, image: Image) -> Iterator[str]:
