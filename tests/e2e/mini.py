@@ -186,7 +186,7 @@ class Mini:
         digest = client.put_manifest(path, "", content)
         known = book.read(*item.key)
         before = (*known.superseded, known.digest) if known else ()
-        tested = state.digest_of(item, state.tests(item))
+        tested = state.tests.digest(item, state.tests.to_run(item))
         own = {"inputs": state.inputs.digest(*item.key), "tested": tested, "digest": digest}
         book.write(replace(other, architecture=OTHER, superseded=before, **own), state.inputs.of(*item.key))  # type: ignore[arg-type]
         return digest

@@ -74,15 +74,15 @@ def night(mini: Mini, date: str) -> None:
         described = client.attach(path, subject, sbom.MEDIA_TYPE, SBOM, sbom.MEDIA_TYPE, sbom.FORMAT)
         facts = {"inputs": state.inputs.digest(*item.key), "repository": item.repository, "size": size, "date": date}
         facts |= {"sbom": described, "described": contents.FORMAT}
-        facts |= {"parts": {target: state.known[target, HERE].digest for target in item.needs}, "changed": date}
+        facts |= {"parts": {target: state.entries[target, HERE].digest for target in item.needs}, "changed": date}
         facts |= {
             "package_state": state.package_state.get(image.distribution, ""),
-            "tested": state.digest_of(item, state.tests(item)),
+            "tested": state.tests.digest(item, state.tests.to_run(item)),
             "passed": 5,
         }
-        before = state.known.get(item.key) or store.Entry(*item.key)
-        state.known[item.key] = before.made(digest, **facts)
-        book.write(state.known[item.key], state.inputs.of(*item.key))
+        before = state.entries.get(item.key) or store.Entry(*item.key)
+        state.entries[item.key] = before.with_digest(digest, **facts)
+        book.write(state.entries[item.key], state.inputs.of(*item.key))
     for step in ("index", "promote"):
         done = mini.publish(step, *ONLY, "--serve", HERE, "--date", date, "--json")
         assert done.code == 0 and '"waits"' not in done.out, done.out + done.err

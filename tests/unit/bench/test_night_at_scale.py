@@ -70,7 +70,7 @@ def test_requests_of_a_night(image_set: ImageSet, project: Path, monkeypatch: py
                     run = Publisher(here.services, cast(Any, client), here.packages).run(
                         image_set, date, packages=state
                     )
-                    survey = counted(server.requests, len(run.state.known) or 1)
+                    survey = counted(server.requests, len(run.state.entries) or 1)
                     server.requests.clear()
                     function(run)
                     items = sum(outcome.state == "done" for outcome in run.outcomes)

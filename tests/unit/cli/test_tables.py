@@ -17,7 +17,7 @@ from rosml.images.publish.status import ImageStatus
 def test_it_is_printed_as_it_is(said: str, capsys: pytest.CaptureFixture[str]) -> None:
     """Never taken for rich's markup, which would lose brackets, colour what follows, or end the command with an error."""
     outcomes = [Outcome("build", "alpha-core", "amd64", "failed", said), Outcome("test", "b", "amd64", "waits", said)]
-    report.tell_outcomes(outcomes, "2026-11-22T03:00:00Z", 0, time.monotonic(), as_json=False)
+    report.print_outcomes(outcomes, "2026-11-22T03:00:00Z", 0, time.monotonic(), as_json=False)
     row, waits, *_ = capsys.readouterr().out.splitlines()[1:]
     assert row.split() == ["build", "alpha-core", "amd64", "failed", "0.0", "s", *said.split()]
     assert waits == f"waits: 1 times: {said}"

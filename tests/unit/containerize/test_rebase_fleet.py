@@ -89,7 +89,8 @@ def test_a_night(place: Place) -> None:
         assert digest != before[name] and place.registry.head(f"me/{name}", "latest-20261127") == digest
     assert {*states(run(place, *apps)).values()} == {"there", "refused"}
 
-    undo.undo(Records(places.Place(place.registry, "me")), DATE)
+    records = Records(places.Place(place.registry, "me"))
+    undo.undo(records, DATE, undo.find(records))
     for name in ("arm", "camera"):
         assert place.digest(names[name]) == before[name], "and back"
         assert not place.registry.head(f"me/{name}", "latest-20261127")

@@ -383,7 +383,8 @@ class Publisher:
 
     def undo(self, run: str = "", date: str = LATER) -> list[Outcome]:
         """Moves tags back to where they were before a run, the last one if empty."""
-        return undo.undo(store.Records(self.place), date, run)
+        records = store.Records(self.place)
+        return undo.undo(records, date, undo.find(records, run))
 
     def tagged(self, repository: str) -> dict[str, str]:
         """Tags of a repository and where they point."""

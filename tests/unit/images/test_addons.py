@@ -136,7 +136,7 @@ def test_what_the_policy_stops_in_an_addon_gets_no_tag(
     scan(run, rules(), world.trivy())
     for step in ("index", "promote"):
         STEPS[step](run)
-    stopped = {key[0] for key, entry in run.state.known.items() if entry.scan.get("failing") == ["CVE-2026-3"]}
+    stopped = {key[0] for key, entry in run.state.entries.items() if entry.scan.get("failing") == ["CVE-2026-3"]}
     assert stopped == TRIALS | {"alpha-base-extra-cu1"}
     assert not [tag for tag in registry.tagged("part") if tag.startswith("extra-")]
     assert "alpha-base-cu1" in registry.tagged("ros-torch") and registry.tagged("ros-extra") == {}

@@ -35,7 +35,7 @@ def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
 
 def attached(here: Publisher, run: Run, key: tuple[str, str], kind: str) -> list[dict[str, Any]]:
     """What is attached to an image, as data."""
-    entry = run.state.known[key]
+    entry = run.state.entries[key]
     path = run.state.place.path(entry.repository)
     found = []
     for item in here.registry.referrers(path, entry.digest, kind):
@@ -56,7 +56,7 @@ def test_a_promoted_image_carries_its_entry(registry: Publisher, image_set: Imag
     run = registry.publish(image_set, only=ONLY)
     book = Records(registry.place)
     for item in run.state.items:
-        entry = run.state.known[item.key]
+        entry = run.state.entries[item.key]
         (said,) = attached(registry, run, item.key, ARTIFACT)
         assert said["inputs"] == run.state.inputs.of(*item.key)
         assert store.parse(said["entry"]) == entry
@@ -79,7 +79,7 @@ def test_an_image_carries_what_was_known_when_tags_moved_to_it(
     test = project / "tests/structure/torch.yaml"
     test.write_text(test.read_text() + "# another\n")
     run = registry.publish(image_set, only=ONLY, date=NEXT)
-    assert run.state.known[TARGET, "amd64"] != first.state.known[TARGET, "amd64"]
+    assert run.state.entries[TARGET, "amd64"] != first.state.entries[TARGET, "amd64"]
     assert {outcome.step for outcome in run.outcomes if outcome.target == TARGET} == {"test"}
     (said,) = attached(registry, run, (TARGET, "amd64"), ARTIFACT)
     assert said["entry"]["changed"] == DAY
@@ -87,13 +87,13 @@ def test_an_image_carries_what_was_known_when_tags_moved_to_it(
     registry.publish(image_set, only=ONLY, date=LATER)
     assert registry.registry.writes == before, "something is uploaded although nothing changed"
     registry.publish(image_set, only=ONLY, date=LATER, force=True)  # an index of another date
-    newest = Records(registry.place).attached("ros-torch", run.state.known[TARGET, "amd64"].digest)
+    newest = Records(registry.place).attached("ros-torch", run.state.entries[TARGET, "amd64"].digest)
     assert newest and newest.changed == LATER
 
 
 def test_what_others_attach_stays(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, only=ONLY)
-    entry = run.state.known["alpha-core", "amd64"]
+    entry = run.state.entries["alpha-core", "amd64"]
     path = f"{PREFIX}/ros"
     there = registry.registry.manifests[path][entry.digest]
     subject = {"mediaType": there.media_type, "digest": entry.digest, "size": there.size}
@@ -108,7 +108,7 @@ def test_what_is_attached_goes_with_its_image(registry: Publisher, image_set: Im
     first = registry.publish(image_set, only=ONLY, date="2026-01-01T03:00:00Z")
     registry.packages["alpha"] = "tuesday"
     registry.publish(image_set, only=ONLY, date=DAY, packages="2")
-    old = first.state.known["alpha-core", "amd64"].digest
+    old = first.state.entries["alpha-core", "amd64"].digest
     path = f"{PREFIX}/ros"
     there = {item["digest"] for item in registry.registry.referrers(path, old)}
     assert len(there) == 3
@@ -139,8 +139,8 @@ def test_a_records_that_was_lost_is_made_anew(registry: Publisher, image_set: Im
         holder.pop(f"{PREFIX}/records")
     run = registry.publish(image_set, date=NEXT)
     assert not run.failed and len(run.made) == len(first.made)
-    digests = {key: entry.digest for key, entry in first.state.known.items() if key[1] != INDEX}
-    assert {key: entry.digest for key, entry in run.state.known.items() if key[1] != INDEX} == digests
+    digests = {key: entry.digest for key, entry in first.state.entries.items() if key[1] != INDEX}
+    assert {key: entry.digest for key, entry in run.state.entries.items() if key[1] != INDEX} == digests
     registry.check(image_set)
 
 
@@ -149,17 +149,17 @@ def test_a_tag_of_somebody_else_is_no_trouble(registry: Publisher, image_set: Im
     content = {"manifests": members}
     registry.registry.put_manifest(f"{PREFIX}/ros", "alpha-core", content, "application/json")
     run = registry.run(image_set, only=ONLY)
-    assert run.state.known == {}
+    assert run.state.entries == {}
 
 
 def test_an_entry_of_another_image_is_not_believed(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, only=ONLY)
     book = Records(registry.place)
-    entry = run.state.known["alpha-core", "amd64"]
+    entry = run.state.entries["alpha-core", "amd64"]
     path = f"{PREFIX}/ros"
     there = registry.registry.manifests[path][entry.digest]
     subject = {"mediaType": there.media_type, "digest": entry.digest, "size": there.size}
-    other = {"entry": run.state.known["alpha-core", "arm64"].to_json(), "inputs": {}}
+    other = {"entry": run.state.entries["alpha-core", "arm64"].to_json(), "inputs": {}}
     for data in (json.dumps(other).encode(), b'{"entry": {}}', b"[]"):
         registry.registry.attach(path, subject, ARTIFACT, data, "application/json", {store.CREATED: LATER})
         found = book.attached("ros", entry.digest)
@@ -171,7 +171,7 @@ def test_an_entry_of_another_image_is_not_believed(registry: Publisher, image_se
 
 def test_every_image_says_what_it_was_made_from(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, only=ONLY)
-    known = run.state.known
+    known = run.state.entries
     (core,) = attached(registry, run, ("alpha-core", "amd64"), MEDIA_TYPE)
     assert core["_type"] == "https://in-toto.io/Statement/v1"
     assert core["predicateType"] == "https://slsa.dev/provenance/v1"
@@ -213,7 +213,7 @@ def test_an_index_says_of_which_revision_it_is_and_images_do_not(
 
     def said() -> tuple[dict[str, str], set[str]]:
         here = publisher(project, services(project), monkeypatch)
-        known = here.publish(image_set, only=ONLY).state.known
+        known = here.publish(image_set, only=ONLY).state.entries
         index = here.registry.manifest(f"{PREFIX}/ros", known["alpha-core", INDEX].digest)
         assert index
         found = {name: text for name, text in index.content["annotations"].items() if name in (REVISION, SOURCE)}
@@ -246,7 +246,7 @@ def test_manifests_do_not_know_of_it(
         monkeypatch.setenv("GITHUB_RUN_ID", run_id)
         here = publisher(project, services(project), monkeypatch)
         run = here.publish(image_set, only=ONLY, date=day)
-        images = {key: entry.digest for key, entry in run.state.known.items() if key[1] != INDEX}
+        images = {key: entry.digest for key, entry in run.state.entries.items() if key[1] != INDEX}
         builders = {
             attached(here, run, key, MEDIA_TYPE)[0]["predicate"]["runDetails"]["builder"]["id"] for key in images
         }
@@ -259,14 +259,15 @@ def test_manifests_do_not_know_of_it(
 def test_nothing_is_said_of_a_manifest_that_is_gone(registry: Publisher) -> None:
     made = provenance.definition({}, "sha256:1", ())
     with pytest.raises(RosmlError, match="ros@sha256:2 is not in the registry any more"):
-        provenance.attach(registry.registry, "ros", "sha256:2", made, provenance.Machine("me", "1"), DAY, NEXT)
+        statement = provenance.Statement("ros", "sha256:2", made, provenance.Machine("me", "1"), DAY, NEXT)
+        provenance.attach(registry.registry, statement)
 
 
 def test_a_signature_covers_the_publishers_statements_and_no_other(registry: Publisher, image_set: ImageSet) -> None:
     """Somebody who may push attaches a statement that names the same builder; the index is made again after that."""
     run = registry.publish(image_set, only=ONLY)
     key = (TARGET, "amd64")
-    entry = run.state.known[key]
+    entry = run.state.entries[key]
     path = run.state.place.path(entry.repository)
     manifest = registry.registry.manifest(path, entry.digest)
     assert manifest
@@ -275,13 +276,13 @@ def test_a_signature_covers_the_publishers_statements_and_no_other(registry: Pub
     for number in (0, 1):
         if number:
             run = registry.publish(image_set, only=ONLY, date=NEXT, force=True)
-        index = registry.registry.manifest(path, run.state.known[TARGET, INDEX].digest)
+        index = registry.registry.manifest(path, run.state.entries[TARGET, INDEX].digest)
         assert index
         named = {
             item["platform"]["architecture"]: item["annotations"][provenance.COVERED].split()
             for item in index.content["manifests"]
         }
-        assert named["amd64"] == list(run.state.known[key].provenance.values()) != [forged]
+        assert named["amd64"] == list(run.state.entries[key].provenance.values()) != [forged]
         statement = registry.registry.manifest(path, named["amd64"][0])
         assert statement and statement.content["subject"]["digest"] == entry.digest
 
@@ -306,28 +307,28 @@ def test_a_builder_says_it_once(registry: Publisher, image_set: ImageSet, monkey
 def test_what_has_no_facts_is_described_again_and_not_built(registry: Publisher, image_set: ImageSet) -> None:
     """An older version attached none. Digests stay, so nothing is joined or tested again."""
     run = registry.publish(image_set, only=ONLY)
-    for entry in run.state.known.values():
+    for entry in run.state.entries.values():
         run.records.write(replace(entry, described=""))
-    digests = {key: entry.digest for key, entry in run.state.known.items()}
+    digests = {key: entry.digest for key, entry in run.state.entries.items()}
     again = registry.publish(image_set, only=ONLY, date=NEXT)
     items = [item for item in again.state.items if item.kind != "joined"]
     assert {item.kind for item in items} == {"ros", "part"}
     assert again.made == [("describe", item.target, "") for item in items] and not again.failed
-    assert {key: entry.digest for key, entry in again.state.known.items()} == digests
-    assert all(again.state.known[item.key].described for item in items)
+    assert {key: entry.digest for key, entry in again.state.entries.items()} == digests
+    assert all(again.state.entries[item.key].described for item in items)
     assert registry.publish(image_set, only=ONLY, date=LATER).made == []
 
 
 def test_an_index_leads_from_a_joined_image_to_its_parts(registry: Publisher, image_set: ImageSet) -> None:
     """On each platform to the manifests of that platform; whoever reads facts needs nothing else."""
     run = registry.publish(image_set, only=ONLY)
-    entry = run.state.known[TARGET, INDEX]
+    entry = run.state.entries[TARGET, INDEX]
     path = run.state.place.path(entry.repository)
     found = registry.registry.manifest(path, entry.digest)
     assert found and found.members
     for member in found.members:
         assert member.platform and member.platform.architecture
-        parts = run.state.known[TARGET, member.platform.architecture].parts
+        parts = run.state.entries[TARGET, member.platform.architecture].parts
         places = facts.components(registry.registry, path, member.digest, member.annotations)
         assert {digest for _, digest in places} == {*parts.values()} and len(parts) > 2
         assert all(registry.registry.manifest(*place) for place in places)

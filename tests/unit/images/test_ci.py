@@ -80,7 +80,7 @@ def content(registry: Publisher, image_set: ImageSet, **options: Any) -> tuple[d
 
 def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Publisher, image_set: ImageSet, told: Path) -> None:
     plan, told_of = content(registry, image_set)
-    report.tell(told_of, "it costs a minute")
+    report.plan_to_ci(told_of, "it costs a minute")
     name, _, value = (told / github.OUTPUT).read_text().partition("=")
     assert name == "shards"
     shards = json.loads(value)
@@ -152,7 +152,7 @@ def test_a_plan_for_this_machine_needs_no_machines_in_ci(
 
 def test_where_nothing_is_to_be_done_no_job_builds(registry: Publisher, image_set: ImageSet, told: Path) -> None:
     registry.publish(image_set)
-    report.tell(content(registry, image_set, date=NEXT)[1], "")
+    report.plan_to_ci(content(registry, image_set, date=NEXT)[1], "")
     assert (told / github.OUTPUT).read_text() == "shards=[]\n"
     assert "- nothing to do" in (told / github.SUMMARY).read_text()
 
@@ -171,7 +171,7 @@ def test_what_lacks_a_lock_has_a_line_of_its_own(
     *_, counts, line = capsys.readouterr().out.splitlines()
     assert counts.endswith(" up to date")
     assert line == f"{images} without a lock, which cannot be built yet: {missing.RESTORE}"
-    report.tell(make_plan(run.state, 4), "")
+    report.plan_to_ci(make_plan(run.state, 4), "")
     assert f"\n- without a lock: {images}, which cannot be built yet\n" in (told / github.SUMMARY).read_text()
     (told / github.SUMMARY).unlink()
     report.show(registry.publish(lacking, broken={"omega-core"}), as_json=False)
@@ -226,7 +226,7 @@ def test_estimates_take_the_sizes_that_earlier_runs_measured(registry: Publisher
     assert before == image_set
     for architecture, unpacked in (("amd64", 4_000), ("arm64", 4_500)):
         entry = Entry("alpha-core", architecture, unpacked=unpacked * 1_000_000, size=1_000_000_000)
-        run.state.known["alpha-core", architecture] = entry
+        run.state.entries["alpha-core", architecture] = entry
     del run.state.__dict__["forecast"]
     core, base = (image_set.image(name).disk for name in ("alpha-core", "alpha-base"))
     found = run.state.forecast
@@ -465,7 +465,7 @@ def test_the_summary_of_a_job_has_a_row_for_all_that_was_done(
     head, _, *rest = rows
     assert head == ["step", "image", "architecture", "state", "time", "size", "digest", "what"]
     found = {tuple(row[:3]): row[3:] for row in rest}
-    entry = run.state.known["alpha-core", "amd64"]
+    entry = run.state.entries["alpha-core", "amd64"]
     state, _, size, digest, _ = found["build", "`alpha-core`", "amd64"]
     assert (state, size, digest) == ("done", units.size(entry.size), f"`{entry.digest[:19]}`")
     assert entry.size and entry.digest.startswith("sha256:")

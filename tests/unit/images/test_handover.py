@@ -47,7 +47,7 @@ def run(registry: Publisher, image_set: ImageSet) -> Callable[[], Run]:
 def scan(found: Run, file: Path, outcome: str = "clean") -> str:
     """What a scan hands over: an entry."""
     results = Results(file, found.state.date)
-    entry = found.state.known[CORE]
+    entry = found.state.entries[CORE]
     changed = store.parse(entry.to_json() | {"scanned": outcome, "scan": {"policy": "sha256:1"}, "passed": 99})
     assert changed
     results.add(changed)
@@ -62,9 +62,9 @@ def test_a_scan_writes_nothing_and_a_record_what_it_found(
     digest = scan(run(), tmp_path / "scan.json")
     assert registry.registry.writes == before
     found = run()
-    assert found.state.known[CORE].scanned == ""
+    assert found.state.entries[CORE].scanned == ""
     scan_results.record(found, tmp_path / "scan.json")
-    entry = run().state.known[CORE]
+    entry = run().state.entries[CORE]
     assert (entry.scanned, entry.scan, entry.digest) == ("clean", {"policy": "sha256:1"}, digest)
     assert entry.passed == 5, "tests are no business of a scan"
 
@@ -72,10 +72,10 @@ def test_a_scan_writes_nothing_and_a_record_what_it_found(
 def test_what_was_made_anew_since_is_not_vouched_for(run: Callable[[], Run], tmp_path: Path) -> None:
     scan(run(), tmp_path / "scan.json")
     found = run()
-    entry = found.state.known[CORE]
-    found.state.known[CORE] = entry.made(f"sha256:{'7' * 64}")
+    entry = found.state.entries[CORE]
+    found.state.entries[CORE] = entry.with_digest(f"sha256:{'7' * 64}")
     scan_results.record(found, tmp_path / "scan.json")
-    assert run().state.known[CORE].scanned == ""
+    assert run().state.entries[CORE].scanned == ""
     assert [(o.state, o.reason) for o in found.outcomes] == [("waits", "it was rebuilt after the scan")]
 
 
@@ -98,7 +98,7 @@ def test_a_file_that_is_not_what_it_should_be(run: Callable[[], Run], tmp_path: 
     with pytest.raises(RosmlError, match="does not hold the results of a scan") as caught:
         scan_results.record(found, file)
     assert caught.value.exit_code == 2
-    assert run().state.known[CORE].scanned == ""
+    assert run().state.entries[CORE].scanned == ""
 
 
 @pytest.mark.parametrize(

@@ -227,8 +227,8 @@ def test_the_owner_sees_each_cause_once(registry: Publisher, image_set: ImageSet
     part = "part-torch-cu1-py312"
     registry.publish(image_set, broken={part}, poisoned={"alpha-core"})
     run = registry.run(image_set, date=NEXT)
-    entry = run.state.known[part, "amd64"]
-    run.state.known[part, "amd64"] = replace(
+    entry = run.state.entries[part, "amd64"]
+    run.state.entries[part, "amd64"] = replace(
         entry, failed={**entry.failed, "reason": "it broke\n@somebody `at` line 7"}
     )
     found = list(status.read(run.state, LATER))
@@ -299,7 +299,7 @@ def test_a_build_that_failed_on_another_machine_is_tried_here(registry: Publishe
     failed = {"step": "build", "reason": "it broke"}
     run.records.write(store.Entry(*item.key, repository=item.repository, failed=failed), {})
     run.state.look_again(item)
-    assert run.state.known[item.key].failed and item.key not in run.state.present
+    assert run.state.entries[item.key].failed and item.key not in run.state.present
     assert run.state.reasons(item) == ["it was never made"]
 
 
@@ -382,7 +382,7 @@ def test_the_wait_for_another_build_is_told_and_does_not_count_as_work(
     monkeypatch.setattr(buildx, "waited", lambda: float(next(waits)))
     run = registry.publish(image_set)
     built = next(outcome for outcome in run.outcomes if outcome.step == "build")
-    entry = run.state.known[built.target, built.architecture]
+    entry = run.state.entries[built.target, built.architecture]
     assert built.waited == 85
     assert entry.seconds["build"] == round(built.seconds - 85, 2)
     assert "(1 min 25 s of it waiting for another build)" in report.markdown(run)
@@ -561,7 +561,7 @@ def test_a_run_past_midnight_has_one_date(
     date = clock()
     run = registry.publish(image_set, date=date)
     assert date.startswith("2026-11-22") and looked[-1].startswith("2026-11-23"), "nobody looked at the clock"
-    assert {entry.date for entry in run.state.known.values()} == {date}
+    assert {entry.date for entry in run.state.entries.values()} == {date}
     for repository in ("ros", "ros-torch", "part"):
         tags = registry.tagged(repository)
         dated = {name for name in tags if "-2026" in name}
@@ -682,7 +682,7 @@ def test_with_a_scan_required_only_what_it_found_clean_gets_tags(registry: Publi
     run = registry.run(image_set, date=NEXT, scanning=policy)
     for key, item in run.state.by_key.items():
         if item.kind != "part" and item.target != "omega-core":
-            entry = replace(run.state.known[key], scanned="clean", scan={"policy": policy})
+            entry = replace(run.state.entries[key], scanned="clean", scan={"policy": policy})
             run.records.write(entry, run.state.inputs.of(*key))
     registry.publish(image_set, date=NEXT, scanning=policy)
     assert "alpha-core" in registry.tagged("ros") and "omega-core" not in registry.tagged("ros")
@@ -735,7 +735,7 @@ def test_killed_at_any_write(project: Path, image_set: ImageSet, monkeypatch: py
                 STEPS[step](run)
         here.check(small)
         recorded = {
-            key for key, entry in here.run(small, **options).state.known.items() if entry.digest and not entry.failed
+            key for key, entry in here.run(small, **options).state.entries.items() if entry.digest and not entry.failed
         }
         again = here.publish(small, date=NEXT, **options)
         here.check(small)
@@ -826,7 +826,7 @@ def test_a_damaged_entry_is_as_good_as_none() -> None:
     book.write(entry, {"argument A": "1"})
     assert book.read("x", "amd64") == entry
     assert book.inputs("x", "amd64") == {"argument A": "1"}
-    book.write(entry.made("sha256:2"))
+    book.write(entry.with_digest("sha256:2"))
     assert book.inputs("x", "amd64") == {"argument A": "1"}
     assert book.read("x", "amd64").superseded == ("sha256:0", "sha256:1")  # type: ignore[union-attr]
 
@@ -1146,7 +1146,7 @@ def told(
     item = run.state.by_key[target, architecture]
     assert isinstance(item.thing, sets.Image)
     for name in item.thing.architectures:
-        run.state.known[target, name] = store.Entry(target, name, package_state="sunday")
+        run.state.entries[target, name] = store.Entry(target, name, package_state="sunday")
     services, silent = run.state.request.services, lambda line: None
     real = BuildKitMaker(services, run.state.image_set, run.state.place, silent, run.state.request.force)
     STEPS["build"](running.Run(run.state, real, silent))
@@ -1203,7 +1203,7 @@ def test_what_an_image_is_made_of_is_built_by_one_call(
     assert {*calls[1:]} == separate and len(calls[1:]) == len(separate)
     assert "a step failed\nnow one after the other" in said or not broken
     assert described == [1] * len(separate) if broken else described == [1 + len(parts), *[1] * len(others)]
-    assert all(run.state.made((target, architecture)) for target in {first, *parts, *others})
+    assert all(run.state.is_current((target, architecture)) for target in {first, *parts, *others})
 
 
 def never() -> str:

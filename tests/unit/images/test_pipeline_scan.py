@@ -84,7 +84,7 @@ def test_what_the_policy_stops_gets_no_tag(
     assert "alpha-core" in registry.tagged("ros") and "alpha-core-cu1" in registry.tagged("ros-cuda")
     assert registry.tagged("ros-torch") == {}
     assert any("scan: policy failed" in reason for reason in waiting(run, BASE))
-    entry = run.state.known[BASE, "amd64"]
+    entry = run.state.entries[BASE, "amd64"]
     assert entry.scan["failing"] == ["CVE-2026-2"] and entry.scan["findings"] == {"critical": 1}
     (named,) = entry.scan["named"]
     assert (named["id"], named["package"], named["fixed"], named["fails"]) == ("CVE-2026-2", "torch", "3.0", True)
@@ -114,7 +114,7 @@ def test_an_sbom_that_somebody_attached_does_not_count(
 
     def attack(run: Run) -> None:
         item = next(item for item in run.state.items if isinstance(item.thing, Part) and item.thing.kind == "torch")
-        entry = run.state.known[item.key]
+        entry = run.state.entries[item.key]
         path = run.state.place.path(entry.repository)
         wheels = [{"bom-ref": name, "type": "library", "name": name, "purl": f"pkg:pypi/{name}@2"} for name in packages]
         digest = {"that image": entry.digest, "another image": f"sha256:{'1' * 64}"}.get(claimed, "")
@@ -128,10 +128,10 @@ def test_an_sbom_that_somebody_attached_does_not_count(
         run.state.place.client.attach(path, manifest.descriptor, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
 
     run = scanned(registry, image_set, world, before_the_scan=attack)
-    assert run.state.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
+    assert run.state.entries[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
     assert registry.tagged("ros-torch") == {}
     again = scanned(registry, image_set, world, date=NEXT, before_the_scan=attack)
-    assert again.state.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
+    assert again.state.entries[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
 
 
 def test_an_index_names_the_sboms_of_what_its_images_are_made_of(
@@ -140,7 +140,7 @@ def test_an_index_names_the_sboms_of_what_its_images_are_made_of(
     """By digest, so that whoever checks the index's signature knows which of those that are attached are the publisher's."""
     world.advisories.clear()
     run = scanned(registry, image_set, world)
-    known = run.state.known
+    known = run.state.entries
     index = run.state.place.client.manifest(run.state.place.path("ros-torch"), known[BASE, INDEX].digest)
     assert index
     for item in index.content["manifests"]:
@@ -157,11 +157,11 @@ def test_an_index_names_the_sboms_of_what_its_images_are_made_of(
 def test_what_has_no_sbom_is_made_again(registry: Publisher, image_set: ImageSet, world: World) -> None:
     """Its record is of a version that had scans make them; or its build ended before it was attached."""
     run = scanned(registry, image_set, world, only="alpha-core")
-    for entry in run.state.known.values():
+    for entry in run.state.entries.values():
         run.records.write(replace(entry, sbom=""))
     again = scanned(registry, image_set, world, NEXT, only="alpha-core")
     assert [step for step, *_ in again.made].count("build") == 2
-    assert not again.failed and all(entry.sbom for key, entry in again.state.known.items() if key[1] != INDEX)
+    assert not again.failed and all(entry.sbom for key, entry in again.state.entries.items() if key[1] != INDEX)
 
 
 def test_what_was_clean_is_not_scanned_again(registry: Publisher, image_set: ImageSet, world: World) -> None:
@@ -183,7 +183,7 @@ def test_an_ignore_entry_that_has_expired_lets_no_tag_move(
     STEPS["index"](late)
     assert "amd64: scan: not done by this policy" in waiting(late, BASE)
     again = scanned(registry, image_set, world, NEXT, policy)
-    assert again.state.known[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
+    assert again.state.entries[BASE, "amd64"].scan["failing"] == ["CVE-2026-2"]
     assert any("scan: policy failed" in reason for reason in waiting(again, BASE))
 
 
@@ -215,7 +215,7 @@ def test_what_was_scanned_before_the_run_is_killed_is_kept(
     if handed_over:
         scan_results.record(judged(registry, image_set, rules()), file)
     found = judged(registry, image_set, rules()).state
-    assert [found.known[item.key].scanned for item in found.items] == ["clean", ""]
+    assert [found.entries[item.key].scanned for item in found.items] == ["clean", ""]
 
 
 def test_what_is_handed_over_is_not_written(

@@ -90,7 +90,7 @@ def test_locks(checkout: Path) -> None:
 
 def test_the_statement() -> None:
     definition = provenance.definition({"target": "t", "stack": ""}, "abc", [{"name": "x"}])
-    said = provenance.statement("rosml/ros", DIGEST, definition, Machine("b", "i"), DATE, DATE)
+    said = provenance.Statement("rosml/ros", DIGEST, definition, Machine("b", "i"), DATE, DATE).content()
     assert said == {
         "_type": "https://in-toto.io/Statement/v1",
         "subject": [{"name": "rosml/ros", "digest": {"sha256": "1" * 64}}],

@@ -334,7 +334,7 @@ def test_what_a_run_comes_to_need_while_tags_go_stays(
     def run() -> None:
         nights.packages["alpha"] = "week 1 again"
         done = nights.publish(image_set, only=["alpha"], date="2026-10-07T03:00:00Z", packages="1")
-        again.extend(entry.digest for entry in done.state.known.values())
+        again.extend(entry.digest for entry in done.state.entries.values())
         assert not done.failed
 
     between(nights, run, monkeypatch)

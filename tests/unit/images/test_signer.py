@@ -150,7 +150,7 @@ def signing(run: Run) -> list[Outcome]:
 def test_every_index_is_signed_once(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.publish(image_set, only=ONLY)
     registry.check(image_set)
-    indexes = {entry.digest for key, entry in run.state.known.items() if key[1] == INDEX}
+    indexes = {entry.digest for key, entry in run.state.entries.items() if key[1] == INDEX}
     assert {name.rpartition("@")[2] for name in registry.pen.signed} == indexes
     assert f"{HOST}/{PREFIX}/ros@{registry.tagged('ros')['alpha-core']}" in registry.pen.signed
     assert [outcome.state for outcome in signing(run)] == ["done"] * len(indexes)
@@ -161,7 +161,7 @@ def test_every_index_is_signed_once(registry: Publisher, image_set: ImageSet) ->
     registry.pen.signed.clear()
     other = registry.publish(image_set, only=ONLY, date=NEXT)
     assert len(registry.pen.signed) == len(indexes) and not other.made
-    entry = other.state.known["alpha-core", INDEX]
+    entry = other.state.entries["alpha-core", INDEX]
     assert entry.signed.keys() == {"sha256:pen", "sha256:another"}
 
 
@@ -194,7 +194,7 @@ def test_a_signer_that_fails_now_and_then_is_asked_for_every_image(
 def test_a_tag_that_moves_wants_more_than_the_recordss_word(registry: Publisher, image_set: ImageSet) -> None:
     """Somebody may have deleted the signature since."""
     run = registry.publish(image_set, only=ONLY)
-    name = f"{HOST}/{PREFIX}/ros@{run.state.known['alpha-core', INDEX].digest}"
+    name = f"{HOST}/{PREFIX}/ros@{run.state.entries['alpha-core', INDEX].digest}"
     registry.pen.signed.remove(name)
     registry.registry.delete(f"{PREFIX}/ros", "alpha-core")
     again = registry.publish(image_set, only=ONLY, date=LATER)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -21,6 +21,7 @@ from rosml.cli.options import Function
 
 if TYPE_CHECKING:
     from rosml.images.image_set.model import ImageSet
+    from rosml.images.publish.plan import Plan
     from rosml.images.publish.run import Run
     from rosml.images.publish.state import State
     from rosml.machine.services import Services
@@ -145,24 +146,6 @@ class Call:
     sign: bool = False
     policy: Path = ROOT / "scan.yaml"
 
-    def changed(self, image_set: ImageSet) -> tuple[str, ...]:
-        """The images to build, of those that differ from the revision. If there are none, the command ends."""
-        from rosml.base import github
-        from rosml.images.bake import pull_request
-        from rosml.images.bake.inputs import Inputs
-        from rosml.images.builds.base_images import native_architecture
-        from rosml.images.publish import revision
-
-        found = revision.since(self.since, Inputs(ROOT, image_set))
-        choice = pull_request.choose(image_set, found, self.architectures or (native_architecture(),), self.at_most)
-        say(str(choice))
-        github.summary(f"\n## Images that differ from {self.since}\n\n{choice}\n")
-        if not choice.built:
-            if self.as_json:
-                terminal.echo(json.dumps({"counts": {}, "outcomes": []}))
-            raise click.exceptions.Exit(0)
-        return choice.built
-
     @cached_property
     def image_set(self) -> ImageSet:
         """All that the matrix describes, with the locks of this checkout."""
@@ -171,49 +154,34 @@ class Call:
         return load.load(self.matrix, ROOT)
 
     def survey(self, reading: bool = False, turn: bool = False) -> State:
-        """Asks the registry and the package repositories, and gives the state of the requested images.
+        """Asks the registry and the package repositories for the state of the requested images.
 
         Args:
             reading: nothing will be built. Then the ROS images and parts below are judged on all of their
                 architectures, and if a registry is named, no service of this machine is needed.
-            turn: wait until no other run of this checkout is under way. What is wrong is told before.
+            turn: wait until no other run of this checkout is under way. Errors in the options come before that.
         """
         from rosml.base import clock
         from rosml.images.image_set import selection
-        from rosml.images.publish import plan as plans
         from rosml.images.publish.state import Request
-        from rosml.images.publish.steps.scan import policy_digest
         from rosml.images.publish.survey import survey
-        from rosml.images.scan import policy
         from rosml.registry.place import Place
 
-        image_set = self.image_set
-        package_state: Mapping[str, str] = {}
-        elsewhere: frozenset[str] | None = None
-        if self.plan_file:
-            plan = plans.read_plan(self.plan_file, self.shard)
-            self.date, self.registry = self.date or plan.date, self.registry or plan.registry
-            self.only = self.only or plan.targets
-            self.architectures = self.architectures or plan.architectures
-            self.serve, self.force = self.serve or plan.serve, self.force or plan.force
-            package_state = plan.package_state
-            elsewhere = next((frozenset(item.elsewhere) for item in plan.shards if item.name == self.shard), None)
-        elif self.shard:
-            raise click.UsageError("--shard needs a plan: add --plan FILE")
+        plan = self._take_plan()
         self.registry = self.registry or options.registry_of_set(self.matrix)
-        selection.require_architectures(image_set, self.serve)  # a typo ends the command before anything is asked
+        selection.require_architectures(self.image_set, self.serve)  # a typo ends the command before anything is asked
         if self.since:
             if self.only:
                 raise click.UsageError("--since chooses the images; leave --only out")
-            self.only = self.changed(image_set)
-        selection.select(image_set, self.only)
+            self.only = self._changed_images()
+        selection.select(self.image_set, self.only)
         if self.date:
             clock.checked_date(self.date)
         services = self.services(reading)
         if not self.registry:
             services.require_registry()
         place = Place.at(self.registry or services.place, services.ca_bundle)
-        self.only = self._allowed(place, reading)
+        self.only = self._allowed_images(place, reading)
         if turn:
             _wait_for_turn()
         date = self.date or clock.now()
@@ -221,44 +189,85 @@ class Call:
             clock.require_not_ahead(date, clock.now())
         request = Request(
             services,
-            image_set,
+            self.image_set,
             place,
             date,
             self.only,
             self.architectures,
             self.serve,
             self.force,
-            policy_digest(policy.load(self.policy), date) if self.require_scan else "",
-            package_state,
+            self._policy_digest(date) if self.require_scan else "",
+            plan.package_state if plan else {},
             whole=reading,
             all_tests=self.all_tests,
-            elsewhere=elsewhere,
+            elsewhere=self._parts_of_other_shards(plan),
         )
-        found = survey(request)
-        for remark in found.remarks:
+        state = survey(request)
+        for remark in state.remarks:
             say(remark)
-        return found
+        return state
 
-    def _allowed(self, place: Place, reading: bool) -> tuple[str, ...]:
-        """The images to work on: without those whose restricted parts may not go to the registry, unless they were named.
+    def _take_plan(self) -> Plan | None:
+        """Completes the options by the plan, if there is one."""
+        from rosml.images.publish.plan import read_plan
 
-        Raises:
-            RosmlError: one that was named may not go there (exit code 2).
-        """
+        if not self.plan_file:
+            if self.shard:
+                raise click.UsageError("--shard needs a plan: add --plan FILE")
+            return None
+        plan = read_plan(self.plan_file, self.shard)
+        self.date, self.registry = self.date or plan.date, self.registry or plan.registry
+        self.only = self.only or plan.targets
+        self.architectures = self.architectures or plan.architectures
+        self.serve, self.force = self.serve or plan.serve, self.force or plan.force
+        return plan
+
+    def _parts_of_other_shards(self, plan: Plan | None) -> frozenset[str] | None:
+        shards = plan.shards if plan else ()
+        return next((frozenset(shard.elsewhere) for shard in shards if shard.name == self.shard), None)
+
+    def _policy_digest(self, date: str) -> str:
+        from rosml.images.publish.steps.scan import policy_digest
+        from rosml.images.scan import policy
+
+        return policy_digest(policy.load(self.policy), date)
+
+    def _changed_images(self) -> tuple[str, ...]:
+        """The images to build, of those that differ from the revision. If there are none, the command ends."""
+        from rosml.base import github
+        from rosml.images.bake import pull_request
+        from rosml.images.bake.inputs import Inputs
+        from rosml.images.builds.base_images import native_architecture
+        from rosml.images.publish import revision
+
+        difference = revision.since(self.since, Inputs(ROOT, self.image_set))
+        architectures = self.architectures or (native_architecture(),)
+        choice = pull_request.choose(self.image_set, difference, architectures, self.at_most)
+        say(str(choice))
+        github.summary(f"\n## Images that differ from {self.since}\n\n{choice}\n")
+        if not choice.built:
+            if self.as_json:
+                terminal.echo(json.dumps({"counts": {}, "outcomes": []}))
+            raise click.exceptions.Exit(0)
+        return choice.built
+
+    def _allowed_images(self, place: Place, reading: bool) -> tuple[str, ...]:
+        """The images to work on: without those whose restricted parts may not go to the registry. It is an error
+        (exit code 2) if the user named one of these."""
         from rosml.base.problems import counted
         from rosml.images.image_set import restricted, selection
 
         selected = selection.select(self.image_set, self.only)
-        left, told = restricted.refused(self.image_set, selected, place.client.host, place.prefix)
-        if left and not reading and (self.only or len(left) == len(selected)):
-            raise next(iter(left.values()))
-        if told:
-            say(told)
-        if not left or self.only:
+        refused, warning = restricted.refused(self.image_set, selected, place.client.host, place.prefix)
+        if refused and not reading and (self.only or len(refused) == len(selected)):
+            raise next(iter(refused.values()))
+        if warning:
+            say(warning)
+        if not refused or self.only:
             return self.only
-        many = counted(len(left), "image")
+        many = counted(len(refused), "image")
         say(f"left out, because their restricted parts may not go to {place}: {many}; {restricted.PAGE}")
-        return tuple(image.target for image in selected if image.target not in left)
+        return tuple(image.target for image in selected if image.target not in refused)
 
     def run(self) -> Run:
         """The requested run. It has done nothing yet."""

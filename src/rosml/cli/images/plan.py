@@ -53,15 +53,15 @@ def main(everywhere: bool, shards: int, why: bool, output: Path | None, **option
         call.architectures = call.serve or tuple(call.image_set.matrix.architectures)
     state = call.survey()
     # A plan for this machine alone needs no machines in CI, and no runner in the matrix.
-    found = make_plan(state, shards, why) if everywhere or output or call.as_json else None
-    if output and found:
-        files.write(output, found.text())
-        report.tell(found, report.cost(state, found.shards))
-    if call.as_json and found:
-        terminal.echo(found.text(), nl=False)
+    plan = make_plan(state, shards, why) if everywhere or output or call.as_json else None
+    if output and plan:
+        files.write(output, plan.text())
+        report.plan_to_ci(plan, report.cost(state, plan.shards))
+    if call.as_json and plan:
+        terminal.echo(plan.text(), nl=False)
         return
     report.print_plan(state, why)
-    if everywhere and found and found.shards:
-        tables.show(tables.SHARDS, tables.shard_rows(found.shards), right=tables.SHARDS[3:])
-    if everywhere and found:
-        terminal.echo(report.cost(state, found.shards))
+    if everywhere and plan:
+        if plan.shards:
+            tables.show(tables.SHARDS, tables.shard_rows(plan.shards), right=tables.SHARDS[3:])
+        terminal.echo(report.cost(state, plan.shards))

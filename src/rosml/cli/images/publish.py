@@ -21,7 +21,7 @@ from rosml.cli.options import place_of
 
 if TYPE_CHECKING:
     from rosml.images.publish.run import Run
-    from rosml.images.publish.undo import Recorded
+    from rosml.images.publish.undo import RecordedRun
     from rosml.images.records.store import Records
     from rosml.images.scan import judge
     from rosml.images.scan.results import Results
@@ -91,19 +91,19 @@ def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
 
     plan = read_plan(plan_file)
     place = place_of(plan.registry, ROOT)
-    found = plan.repositories(loading.without_locks(matrix))
-    made, failed = list[str](), dict[str, str]()
+    names = plan.repositories(loading.without_locks(matrix))
+    created, failed = list[str](), dict[str, str]()
     with place.client:
-        for name in [*found, rosdep_index.NAME] if found else []:  # a nightly job also writes rosdep's lists
+        for name in [*names, rosdep_index.NAME] if names else []:  # a nightly job also writes rosdep's lists
             try:
                 if place.make(name):
-                    made.append(name)
+                    created.append(name)
                     say(f"made {place.reference(name)}")
             except RosmlError as error:
                 failed[name] = error.message
                 say(f"failed: {error.message}; {error.remedy}")
     if as_json:
-        terminal.echo(json.dumps({"made": made, "failed": failed}))
+        terminal.echo(json.dumps({"made": created, "failed": failed}))
     raise SystemExit(bool(failed))
 
 
@@ -225,13 +225,13 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
     call = Call(**options)
     run = call.run()
     results = Results(output, run.state.date) if output else None
-    found = _scan(call, run, fetch, database, reports, results)
+    verdict = _scan(call, run, fetch, database, reports, results)
     if results:
         results.write()
     if not call.as_json:
-        print_scan(found)
+        print_scan(verdict)
     report.show(run, call.as_json)
-    raise SystemExit(found.outcome.exit_code)
+    raise SystemExit(verdict.outcome.exit_code)
 
 
 @main.command(short_help="Prints the newest database of vulnerabilities.")
@@ -255,8 +255,8 @@ def database(policy: Path, as_json: bool) -> None:
         return registries(place.host).head(place.repository, place.reference)
 
     with Registries(Services.load(ROOT).ca_bundle) as registries:
-        found = trivy.resolve(load(policy).policy.database, head)
-    terminal.echo(json.dumps({"database": found}) if as_json else found)
+        reference = trivy.resolve(load(policy).policy.database, head)
+    terminal.echo(json.dumps({"database": reference}) if as_json else reference)
 
 
 @main.command(short_help="Writes the results of a scan into the registry.")
@@ -330,33 +330,33 @@ def undo(run: str | None, dry_run: bool, **options: Any) -> None:
     place = place_of(call.registry, ROOT)
     with place.client as client:
         date, book = now(), Records(place)
-        found = undoing.find(book, run or "")
-        age = found.age(date)
-        said = f"the run of {found.date}{f', {ago(age.total_seconds())}' if age is not None else ''}"
-        say(f"{said}: {counted(len(found.moves), 'tag')} in {place}")
+        recorded = undoing.find(book, run or "")
+        age = recorded.age(date)
+        text = f"the run of {recorded.date}{f', {ago(age.total_seconds())}' if age is not None else ''}"
+        say(f"{text}: {counted(len(recorded.moves), 'tag')} in {place}")
         if dry_run:
-            _foresee(book, found, call.as_json)
+            _foresee(book, recorded, call.as_json)
             return
         if not run and (age is None or age > undoing.RECENT):
-            text = f"the last run that moved a tag in {place} is {said}, and no run was named"
-            raise RosmlError(text, f"name it if you mean it: rosml publish undo {found.date} --registry {place}", 2)
-        outcomes = undoing.undo(book, date, found)
-        report.tell_outcomes(outcomes, date, client.uploaded, started, call.as_json)
+            text = f"the last run that moved a tag in {place} is {text}, and no run was named"
+            raise RosmlError(text, f"name it if you mean it: rosml publish undo {recorded.date} --registry {place}", 2)
+        outcomes = undoing.undo(book, date, recorded)
+        report.print_outcomes(outcomes, date, client.uploaded, started, call.as_json)
     if any(outcome.state == "failed" for outcome in outcomes):
         raise SystemExit(1)
 
 
-def _foresee(book: Records, found: Recorded, as_json: bool) -> None:
+def _foresee(book: Records, recorded: RecordedRun, as_json: bool) -> None:
     """Shows what an undo would do."""
-    from rosml.images.publish import undo as undoing
+    from rosml.images.publish.undo import whereabouts
 
     rows = [
-        (f"{move.repository}:{move.tag}", undoing.foreseen(found, move, at), at)
-        for move, at in undoing.whereabouts(book, found)
+        (f"{move.repository}:{move.tag}", recorded.foreseen(move, digest), digest)
+        for move, digest in whereabouts(book, recorded)
     ]
     if as_json:
-        tags = [{"tag": tag, "now": at, "what": what} for tag, what, at in rows]
-        terminal.echo(json.dumps({"run": found.date, "tags": tags}, indent=2))
+        tags = [{"tag": tag, "now": digest, "what": what} for tag, what, digest in rows]
+        terminal.echo(json.dumps({"run": recorded.date, "tags": tags}, indent=2))
         return
     for tag, what, _ in rows:
         terminal.echo(f"{tag}  {what}")
@@ -422,17 +422,18 @@ def prune(days: int, newest: int, apply: bool, **options: Any) -> None:
     place = place_of(call.registry, ROOT)
     with place.client:
         pruner = Pruner(place, image_set, datetime.now(UTC).date(), days, newest)
-        found = pruner.find()
+        pruning = pruner.find()
         if not call.as_json:
-            for repository, tag in found.tags:
+            for repository, tag in pruning.tags:
                 terminal.echo(f"{repository}:{tag}")
-            for repository, digest in found.manifests:
+            for repository, digest in pruning.manifests:
                 terminal.echo(f"{repository}@{digest}")
-            terminal.echo(f"{len(found.tags)} tags and {len(found.manifests)} manifests can go; {found.kept} tags stay")
+            counts = f"{len(pruning.tags)} tags and {len(pruning.manifests)} manifests"
+            terminal.echo(f"{counts} can go; {pruning.kept} tags stay")
         if apply:
-            for line in pruner.remove(found):
+            for line in pruner.remove(pruning):
                 say(line if STAYS in line else f"removed: {line}")
     if call.as_json:  # at the end: an error during the removal prints its own object
-        terminal.echo(json.dumps(found.to_json(), indent=2))
-    elif not apply and (found.tags or found.manifests):
+        terminal.echo(json.dumps(pruning.to_json(), indent=2))
+    elif not apply and (pruning.tags or pruning.manifests):
         terminal.echo("nothing was removed; add --apply")

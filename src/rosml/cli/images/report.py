@@ -22,7 +22,7 @@ from rosml.images.publish.state import State
 from rosml.images.records import store
 
 
-def tell(plan: Plan, cost: str) -> None:
+def plan_to_ci(plan: Plan, cost: str) -> None:
     """Gives a plan to CI: its shards as an output, for the matrix of the jobs that build; counts and its cost as a summary."""
     github.output("shards", json.dumps([{"name": shard.name, "runner": shard.runner} for shard in plan.shards]))
     counts = Counter(step for task in plan.tasks for step in task.steps)
@@ -32,28 +32,28 @@ def tell(plan: Plan, cost: str) -> None:
     lines += [f"- without a lock: {counted(len(unlocked), 'image')}, which cannot be built yet"] if unlocked else []
     lines += [*(f"- {remark}" for remark in plan.remarks), f"- {cost}", ""]
     rows = tables.shard_rows(plan.shards)
-    found = "\n".join(lines) + "\n" + (github.table(tables.SHARDS, rows) if rows else "")
-    github.summary(f"\n## Plan of {plan.date} for {plan.registry}\n\n{found}")
+    text = "\n".join(lines) + "\n" + (github.table(tables.SHARDS, rows) if rows else "")
+    github.summary(f"\n## Plan of {plan.date} for {plan.registry}\n\n{text}")
 
 
 def print_plan(state: State, why: bool) -> None:
     """Prints a line for each item that has steps to do, and counts of the others."""
-    found = state.tasks()
-    todo = [task for task in found if task.steps]
+    tasks = state.tasks()
+    to_do = [task for task in tasks if task.steps]
     rows = []
-    for task in todo:
+    for task in to_do:
         changed = state.changes(task.item) if why else ()
         reason = "; ".join([*task.why, *([f"changed: {some(changed)}"] if changed else [])])
         rows.append((task.item.target, task.item.architecture, ", ".join(task.steps), reason))
     tables.show(("image", "architecture", "to do", "why"), rows, wrapped=["why"])
-    hindered = Counter(task.hindered.partition(":")[0] for task in found if task.hindered)
-    unchanged = len(found) - len(todo) - sum(hindered.values())
-    unlocked = {task.item.target: task.item.thing for task in found if task.hindered.startswith(UNLOCKED)}
+    hindered = Counter(task.hindered.partition(":")[0] for task in tasks if task.hindered)
+    unchanged = len(tasks) - len(to_do) - sum(hindered.values())
+    unlocked = {task.item.target: task.item.thing for task in tasks if task.hindered.startswith(UNLOCKED)}
     rest = "".join(f", {number} {reason}" for reason, number in hindered.items() if reason != UNLOCKED)
-    kinds = Counter("part" if task.item.kind == "part" else "image" for task in todo)
-    each = ", each counted by architecture" if len({task.item.architecture for task in todo}) > 1 else ""
-    what = f" ({listed([counted(number, kind) for kind, number in sorted(kinds.items())])}{each})" if todo else ""
-    terminal.console().print(f"{len(todo)} to do{what}, {unchanged} up to date{rest}", style="dim")
+    kinds = Counter("part" if task.item.kind == "part" else "image" for task in to_do)
+    each = ", each counted by architecture" if len({task.item.architecture for task in to_do}) > 1 else ""
+    what = f" ({listed([counted(number, kind) for kind, number in sorted(kinds.items())])}{each})" if to_do else ""
+    terminal.console().print(f"{len(to_do)} to do{what}, {unchanged} up to date{rest}", style="dim")
     tables.print_unlocked([thing for thing in unlocked.values() if isinstance(thing, Image)])
 
 
@@ -70,20 +70,12 @@ def cost(state: State, shards: Sequence[Shard]) -> str:
 
 def show(run: Run, as_json: bool) -> None:
     """Prints what a run did, and writes it into the summary of the CI job, if there is one."""
-    tell_outcomes(run.outcomes, run.state.date, run.uploaded, run.started, as_json)
+    print_outcomes(run.outcomes, run.state.date, run.uploaded, run.started, as_json)
     github.summary(markdown(run))
 
 
-def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: float, as_json: bool) -> None:
-    """Prints the outcomes of a command.
-
-    Args:
-        outcomes: what the command did.
-        date: of the run.
-        uploaded: bytes sent to the registry.
-        started: when the command began, by the monotonic clock.
-        as_json: print an object instead of a table.
-    """
+def print_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: float, as_json: bool) -> None:
+    """Prints the outcomes of a command that began at `started`, by the monotonic clock, and sent so many bytes."""
     if as_json:
         content = {
             "date": date,
@@ -96,27 +88,24 @@ def tell_outcomes(outcomes: list[Outcome], date: str, uploaded: int, started: fl
         return
     colours = {"done": "green", "failed": "red"}
     rows = []
-    for it in _interesting(outcomes):
+    for it in _shown(outcomes):
         state = tables.coloured(it.state, colours[it.state])
-        rows.append((it.step, it.target, it.architecture, state, time_taken(it.seconds, it.waited), _first(it)))
+        time_text = time_taken(it.seconds, it.waited)
+        rows.append((it.step, it.target, it.architecture, state, time_text, it.reason.partition("\n")[0]))
     tables.show(("step", "image", "architecture", "state", "time", "what"), rows, right=["time"], wrapped=["what"])
     out = terminal.console()
-    for reason, number in _waiting(outcomes).items():
+    waiting, unlocked = _waiting(outcomes)
+    for reason, number in waiting.items():
         out.print(f"waits: {number} times: {reason}", style="yellow")
-    if unlocked := _unlocked(outcomes):
+    if unlocked:
         out.print(f"waits: {unlocked} without a lock", style="yellow")
     text = ", ".join(_counts(outcomes)) or "nothing to do: everything is up to date"
     out.print(text, _effort(uploaded, started), sep="\n", style="dim")
 
 
-def _interesting(outcomes: list[Outcome]) -> list[Outcome]:
+def _shown(outcomes: list[Outcome]) -> list[Outcome]:
     """What was done or failed. What waits is only counted."""
     return [outcome for outcome in outcomes if outcome.state != "waits"]
-
-
-def _first(outcome: Outcome) -> str:
-    """The first line of an outcome's reason."""
-    return outcome.reason.partition("\n")[0]
 
 
 def _counts(outcomes: list[Outcome]) -> list[str]:
@@ -130,41 +119,34 @@ def _counts(outcomes: list[Outcome]) -> list[str]:
 
 
 def _effort(uploaded: int, started: float) -> str:
-    """What a run cost: bytes and time."""
     return f"{size(uploaded)} uploaded, {duration(time.monotonic() - started)}"
 
 
-def _waiting(outcomes: list[Outcome]) -> Counter[str]:
-    """How many items wait, by reason; without those that wait for a lock."""
-    return Counter(x.reason for x in outcomes if x.state == "waits" and UNLOCKED not in x.reason)
-
-
-def _unlocked(outcomes: list[Outcome]) -> int:
-    """How many images and parts wait for a lock."""
-    return len({x.target for x in outcomes if x.state == "waits" and UNLOCKED in x.reason})
+def _waiting(outcomes: list[Outcome]) -> tuple[Counter[str], int]:
+    """How many items wait, by reason; and how many images and parts wait for a lock."""
+    waiting = [outcome for outcome in outcomes if outcome.state == "waits"]
+    reasons = Counter(outcome.reason for outcome in waiting if UNLOCKED not in outcome.reason)
+    return reasons, len({outcome.target for outcome in waiting if UNLOCKED in outcome.reason})
 
 
 def markdown(run: Run) -> str:
     """The summary of a CI job."""
     outcomes = run.outcomes
     touched = {(outcome.target, outcome.architecture) for outcome in outcomes}
-    alone = [task for task in run.state.tasks() if task.item.key not in touched]
-    skipped = sum(not task.steps and not task.hindered for task in alone)
-    effort = _effort(run.uploaded, run.started)
+    skipped = sum(not task.steps and not task.hindered for task in run.state.tasks() if task.item.key not in touched)
     lines = ["", f"## Publishing run of {run.state.date}", "", *(f"- {text}" for text in _counts(outcomes))]
-    lines += [f"- {skipped} up to date, left alone", f"- {effort}", ""]
+    lines += [f"- {skipped} up to date, left alone", f"- {_effort(run.uploaded, run.started)}", ""]
     rows = []
-    for outcome in _interesting(outcomes):
-        entry = run.state.known.get((outcome.target, outcome.architecture or store.INDEX))
-        facts = (
-            size(entry.size) if entry and entry.size else "",
-            f"`{entry.digest[:19]}`" if entry and entry.digest else "",
-        )
-        what = (outcome.step, f"`{outcome.target}`", outcome.architecture, outcome.state)
-        rows.append((*what, time_taken(outcome.seconds, outcome.waited), *facts, _first(outcome)))
+    for it in _shown(outcomes):
+        entry = run.state.entries.get((it.target, it.architecture or store.INDEX))
+        bytes_text = size(entry.size) if entry and entry.size else ""
+        digest = f"`{entry.digest[:19]}`" if entry and entry.digest else ""
+        what, time_text = it.reason.partition("\n")[0], time_taken(it.seconds, it.waited)
+        rows.append((it.step, f"`{it.target}`", it.architecture, it.state, time_text, bytes_text, digest, what))
     if rows:
         columns = ("step", "image", "architecture", "state", "time", "size", "digest", "what")
         lines += [github.table(columns, rows)]
-    lines += [f"- waits, {counted(number, 'time')}: {reason}" for reason, number in _waiting(outcomes).items()]
-    lines += [f"- waits: {unlocked} without a lock"] if (unlocked := _unlocked(outcomes)) else []
+    waiting, unlocked = _waiting(outcomes)
+    lines += [f"- waits, {counted(number, 'time')}: {reason}" for reason, number in waiting.items()]
+    lines += [f"- waits: {unlocked} without a lock"] if unlocked else []
     return "\n".join(lines) + "\n"

@@ -44,15 +44,15 @@ def main(markdown: Path | None, **options: Any) -> None:
 
     call = Call(**options)
     state = call.survey(reading=True)
-    found = list(status.read(state, now()))
-    causes = status.causes(found, state.image_set.matrix.architectures)
+    statuses = list(status.read(state, now()))
+    causes = status.causes(statuses, state.image_set.matrix.architectures)
     ahead = status.ahead(state)
-    text = tables.status_markdown(str(state.place), found, causes, ahead)
+    text = tables.status_markdown(str(state.place), statuses, causes, ahead)
     if markdown:
         files.write(markdown, text)
     github.summary(text)
-    github.output("open", str(sum(item.state in status.OPEN for item in found)))
+    github.output("open", str(sum(image.state in status.OPEN for image in statuses)))
     if call.as_json:
-        terminal.echo(status.as_json(found))
+        terminal.echo(status.as_json(statuses))
     else:
-        tables.print_status(found, causes, ahead)
+        tables.print_status(statuses, causes, ahead)

@@ -34,11 +34,7 @@ def show(
     wrapped: Collection[str] = (),
     whole: Collection[str] = (),
 ) -> None:
-    """Prints a table; nothing if it has no rows.
-
-    Args:
-        right, wrapped, whole: columns, as `terminal.table` has them.
-    """
+    """Prints a table; nothing if it has no rows. `right`, `wrapped` and `whole` name columns, as in `terminal.table`."""
     if listed := [tuple(row) for row in rows]:
         terminal.show_rows(columns, listed, right, wrapped, whole)
 
@@ -76,16 +72,10 @@ def print_images(images: Sequence[Image]) -> None:
     rows: list[list[Cell]] = []
     for image in images:
         # cuDNN and NCCL follow from CUDA; 'rosml list --json' has all versions, to the last number.
-        found = [f"{name} {short(version)}" for name, version in image.versions.items() if name not in NVIDIA[1:]]
-        content = (", ".join(found) or "ROS") + ("" if image.locked else " (no lock)")
-        size = f"{image.disk.unpacked / 1000:.1f}"
-        row = [
-            image.tags[0] if image.tags else "none: a test",
-            size,
-            ", ".join(image.architectures),
-            content,
-            image.target,
-        ]
+        versions = [f"{name} {short(version)}" for name, version in image.versions.items() if name not in NVIDIA[1:]]
+        content = (", ".join(versions) or "ROS") + ("" if image.locked else " (no lock)")
+        tag, size = image.tags[0] if image.tags else "none: a test", f"{image.disk.unpacked / 1000:.1f}"
+        row = [tag, size, ", ".join(image.architectures), content, image.target]
         rows.append([*row] if image.locked else [coloured(cell, "dim") for cell in row])
     widths = terminal.widths(columns, rows)
     widths[3] = min(widths[3], CONTENT)
@@ -133,15 +123,15 @@ def print_scan(run: Run) -> None:
     the policy's entries, and the outcome."""
     from rosml.images.scan.sarif import COLUMNS, finding_rows, summary
 
-    said: set[str] = set()
+    printed: set[str] = set()
     for image in run.images:
         terminal.echo(summary(image))
-        found = finding_rows([it for it in image.findings if it.fails or it.ignored])
-        show(COLUMNS, ([coloured(first, COLOURS.get(first, "")), *others] for first, *others in found))
+        rows = finding_rows([it for it in image.findings if it.fails or it.ignored])
+        show(COLUMNS, ([coloured(first, COLOURS.get(first, "")), *others] for first, *others in rows))
         for note in image.notes:
-            if note not in said:
+            if note not in printed:
                 terminal.echo(f"note: {note}")
-        said.update(image.notes)
+        printed.update(image.notes)
     for problem in run.problems:
         terminal.echo(problem)
     states = {(image.database.updated, image.database.digest) for image in run.images if image.database}
@@ -154,48 +144,48 @@ FEW = 24
 """As many images as fit on a screen have a line each, whatever their state."""
 
 
-def print_status(found: list[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> None:
+def print_status(statuses: list[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> None:
     """Prints a line for each image that was published or failed, the published ones first; a block for each cause; and how many
     images each state has. If there are few images, each has a line."""
     from rosml.images.publish.status import STATES, age
 
     order = list(STATES)
-    told = [it for it in found if it.digest or it.state == "failed" or len(found) <= FEW]
+    shown = [it for it in statuses if it.digest or it.state == "failed" or len(statuses) <= FEW]
     rows = (
         (it.target, coloured(it.state, STATES[it.state]), age(it.age), ", ".join(it.platforms), it.reason)
-        for it in sorted(told, key=lambda it: order.index(it.state))
+        for it in sorted(shown, key=lambda it: order.index(it.state))
     )
     show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"], whole=["image"])
     out = terminal.console()
-    for cause in causes if len(found) > 1 else ():
+    for cause in causes if len(statuses) > 1 else ():
         head = f"{counted(len(cause.targets), 'image')} {cause.state}"
         out.print(f"{head}: {cause.reason or some(cause.targets)}", style=STATES[cause.state], markup=False)
         if cause.reason:
             out.print(f"  {some(cause.targets)}", style="dim", markup=False)
         for line in cause.log.split("\n") if cause.log else ():
             out.print(f"  | {line}", style="dim", markup=False)
-    out.print(f"{_counts(found)}; {_ahead(ahead)}", style="dim")
+    out.print(f"{_counts(statuses)}; {_ahead(ahead)}", style="dim")
 
 
-def _counts(found: Sequence[ImageStatus]) -> str:
-    """How many images each state has."""
+def _counts(statuses: Sequence[ImageStatus]) -> str:
     from rosml.images.publish.status import STATES
 
-    counts = Counter(item.state for item in found)
+    counts = Counter(image.state for image in statuses)
     text = ", ".join(f"{counts[name]} {name}" for name in STATES if counts[name])
-    return f"{counted(len(found), 'image')}: {text}"
+    return f"{counted(len(statuses), 'image')}: {text}"
 
 
 def _ahead(ahead: Mapping[str, int]) -> str:
-    """What another run would do."""
     steps = ", ".join(f"{name} {number}" for name, number in ahead.items())
     return f"a further run would {steps}" if steps else "a further run has nothing to do"
 
 
-def status_markdown(place: str, found: Sequence[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> str:
+def status_markdown(
+    place: str, statuses: Sequence[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]
+) -> str:
     """The state of a registry's images, for the owner of a repository: numbers, then each cause with its images and the
     last lines of its log."""
-    lines = [f"## Images of {place}", "", f"{_counts(found)}. {_ahead(ahead).capitalize()}.", ""]
+    lines = [f"## Images of {place}", "", f"{_counts(statuses)}. {_ahead(ahead).capitalize()}.", ""]
     for cause in causes:
         reason = f": {github.code(cause.reason)}" if cause.reason else ""
         lines += [f"### {counted(len(cause.targets), 'image')} {cause.state}{reason}", ""]

@@ -61,16 +61,8 @@ class Signer:
 
     @classmethod
     def find(cls, root: Path, environment: Mapping[str, str] = os.environ) -> Signer:
-        """The signer of a checkout: the cosign that `rosml setup signer` installed, or one of that version on PATH.
-
-        Args:
-            root: the checkout.
-            environment: `COSIGN_KEY` names a key file or a key service; without it, signing is keyless.
-
-        Raises:
-            SignerFailed: there is no cosign of the pinned version, or neither a key nor an identity, or the key cannot
-                be read.
-        """
+        """The cosign that `rosml setup signer` installed, or one of that version on PATH. `COSIGN_KEY` names a key file or
+        a key service; without it, signing is keyless."""
         program = _program(root, environment)
         key = environment.get("COSIGN_KEY", "")
         if key:
@@ -104,27 +96,13 @@ class Signer:
         return False
 
     def verify(self, reference: str) -> None:
-        """Checks that an index has our signature.
-
-        Args:
-            reference: repository and digest.
-
-        Raises:
-            SignerFailed: it has none, or cosign fails.
-        """
+        """Checks that an index has our signature."""
         text = f"{reference} has no signature of {self.identity}"
         arguments = ("verify", *self.verifying, *_plain(reference), reference)
         _call(self.program, arguments, self.environment, text, "sign it: rosml publish promote --sign")
 
     def ensure(self, reference: str) -> bool:
-        """Signs an index, unless it has our signature. Gives whether it was signed now.
-
-        Args:
-            reference: repository and digest.
-
-        Raises:
-            SignerFailed: it could not be signed.
-        """
+        """Signs an index, unless it has our signature. Returns whether it was signed now."""
         if self.signed(reference):
             return False
         remedy = "see cosign's message; the next run signs indexes without a signature"
@@ -135,7 +113,6 @@ class Signer:
 
 
 def _program(root: Path, environment: Mapping[str, str]) -> str:
-    """Path of the pinned cosign."""
     file = root / ".state" / "signer.json"
     try:
         program = str(untrusted.json_value(file.read_bytes())["cosign"])
@@ -145,9 +122,9 @@ def _program(root: Path, environment: Mapping[str, str]) -> str:
         raise SignerFailed(f"{file} is damaged", INSTALL) from None
     if not program:
         raise SignerFailed("the signer, cosign, is not installed", INSTALL)
-    said = _call(program, ("version", "--json"), environment, f"{program} does not say its version", INSTALL)
-    found = re.search(r'"gitVersion":\s*"v?([^"]*)"', said)
-    version, pinned = found[1] if found else "", pinned_version(root, "cosign", SignerFailed)
+    output = _call(program, ("version", "--json"), environment, f"{program} does not say its version", INSTALL)
+    match = re.search(r'"gitVersion":\s*"v?([^"]*)"', output)
+    version, pinned = match[1] if match else "", pinned_version(root, "cosign", SignerFailed)
     if version != pinned:
         raise SignerFailed(f"{program} is cosign {version or 'of unknown version'}, and {pinned} is pinned", INSTALL)
     return program
@@ -159,11 +136,6 @@ def _plain(reference: str) -> tuple[str, ...]:
 
 
 def _call(program: str, arguments: tuple[str, ...], environment: Mapping[str, str], text: str, remedy: str) -> str:
-    """Calls cosign without standard input; gives what it prints.
-
-    Raises:
-        SignerFailed: it cannot be run, hangs, or fails.
-    """
     try:
         done = subprocess.run(
             [program, *arguments],

@@ -44,16 +44,7 @@ _LIST = adapter(list[_Issue])
 
 
 class Issues:
-    """The issues of a repository.
-
-    Args:
-        api: address of the REST API, such as https://api.github.com.
-        repository: OWNER/NAME.
-        token: may write issues.
-
-    Raises:
-        RosmlError: the repository or the address is malformed (exit code 2).
-    """
+    """The issues of a repository."""
 
     def __init__(self, api: str, repository: str, token: str) -> None:
         if not re.fullmatch(r"[\w.-]+/[\w.-]+", repository) or not re.fullmatch(r"https?://[\w.:/-]+", api):
@@ -68,15 +59,7 @@ class Issues:
         self._client = web.client(base_url=f"{api}/repos/{repository}/", headers=headers, timeout=SECONDS)
 
     def keep(self, text: str, unpublished: int) -> str:
-        """Opens or updates the issue; closes it if all images are published. Gives a line that says what was done.
-
-        Args:
-            text: Markdown.
-            unpublished: how many images another run may publish.
-
-        Raises:
-            RosmlError: the server does not answer, or refuses.
-        """
+        """Opens or updates the issue; closes it if all images are published. Returns a line that says what was done."""
         query = {"labels": LABEL, "state": "open", "per_page": "100"}
         ours = [issue for issue in self._ask(_LIST, "GET", "issues", params=query) if issue.title == TITLE]
         if not unpublished:
@@ -87,8 +70,8 @@ class Issues:
             self._ask(_ONE, "PATCH", f"issues/{ours[0].number}", json={"body": text[:LONGEST]})
             return f"updated issue {ours[0].number}: {ours[0].html_url}"
         body = {"title": TITLE, "body": text[:LONGEST], "labels": [LABEL]}
-        made = self._ask(_ONE, "POST", "issues", json=body)
-        return f"opened issue {made.number}: {made.html_url}"
+        issue = self._ask(_ONE, "POST", "issues", json=body)
+        return f"opened issue {issue.number}: {issue.html_url}"
 
     def _ask(self, kind: Adapter[T], method: str, path: str, **options: Any) -> T:
         try:

@@ -54,7 +54,7 @@ class Machine:
     """Who makes images.
 
     Attributes:
-        builder: the builder's identity.
+        builder: its identity.
         invocation: identifies this run of the builder.
     """
 
@@ -72,13 +72,7 @@ class Machine:
 
 
 def definition(parameters: Mapping[str, str], inputs: str, dependencies: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
-    """What decides an image, and what it was made from: the predicate's `buildDefinition`.
-
-    Args:
-        parameters: what was to be built: target, platform, channel.
-        inputs: digest of everything in the checkout that decides the image's content.
-        dependencies: resource descriptors: base image, parts, locks, the checkout, packages.
-    """
+    """What decides an image, and what it was made from: the predicate's `buildDefinition`."""
     return {
         "buildType": BUILD_TYPE,
         "externalParameters": {name: text for name, text in parameters.items() if text},
@@ -91,16 +85,9 @@ def definition(parameters: Mapping[str, str], inputs: str, dependencies: Iterabl
 
 
 def image(name: str, repository: str, digest: str, **annotations: str) -> dict[str, Any]:
-    """The descriptor of an image or part.
-
-    Args:
-        name: what it is called here.
-        repository: with the registry.
-        digest: of the manifest.
-        annotations: further facts.
-    """
-    said = {"annotations": annotations} if annotations else {}
-    return {"name": name, "uri": purl(repository, digest), "digest": _digest(digest), **said}
+    """The descriptor of an image or part."""
+    descriptor = {"name": name, "uri": purl(repository, digest), "digest": _digest(digest)}
+    return descriptor | ({"annotations": annotations} if annotations else {})
 
 
 def purl(repository: str, digest: str) -> str:
@@ -110,12 +97,8 @@ def purl(repository: str, digest: str) -> str:
 
 
 def base(reference: str, expected: str) -> dict[str, Any]:
-    """The descriptor of an operating system's image.
-
-    Args:
-        reference: such as `debian:bookworm@sha256:…`.
-        expected: digest of the base image in matrix.yaml. If the image has another digest, the descriptor says so.
-    """
+    """The descriptor of an operating system's image, such as `debian:bookworm@sha256:…`. If its digest is not the
+    expected one, of matrix.yaml, the descriptor says so."""
     name, _, digest = reference.removeprefix("docker-image://").partition("@")
     repository = re.sub(r":[^/:]+$", "", name)
     if "/" not in repository:
@@ -123,8 +106,8 @@ def base(reference: str, expected: str) -> dict[str, Any]:
     host, _, path = repository.partition("/")
     if not re.search(r"[.:]", host):
         host, path = DOCKER_HUB, repository
-    said = {} if digest == expected else {"differs": "matrix.yaml names another base image"}
-    return image(name, f"{host}/{path}", digest, **said)
+    difference = {} if digest == expected else {"differs": "matrix.yaml names another base image"}
+    return image(name, f"{host}/{path}", digest, **difference)
 
 
 def locks(root: Path, names: Iterable[str]) -> list[dict[str, Any]]:
@@ -141,19 +124,17 @@ def packages(address: str, state: str) -> dict[str, Any]:
 
 
 def source(root: Path) -> list[dict[str, Any]]:
-    """The descriptor of the checkout, with its revision; none if the folder is no git checkout.
-
-    If files differ from that revision, the descriptor says so. Then the digest of the inputs counts.
-    """
+    """The descriptor of the checkout, with its revision; none if the folder is no git checkout. If files differ from
+    the revision, the descriptor says so, and the digest of the inputs counts."""
     commit = git.commit(root)
     if commit is None or git.top(root) != root.resolve():
         return []
-    found: dict[str, Any] = {"name": "source", "digest": {"gitCommit": commit.hash}}
-    if address := _public(_asked(root, "config", "--get", "remote.origin.url")):
-        found["uri"] = f"git+{address}"
-    if _asked(root, "status", "--porcelain", "--", *CONTENT):
-        found["annotations"] = {"differs": "files of the checkout differ from the revision"}
-    return [found]
+    descriptor: dict[str, Any] = {"name": "source", "digest": {"gitCommit": commit.hash}}
+    if address := _public(_git(root, "config", "--get", "remote.origin.url")):
+        descriptor["uri"] = f"git+{address}"
+    if _git(root, "status", "--porcelain", "--", *CONTENT):
+        descriptor["annotations"] = {"differs": "files of the checkout differ from the revision"}
+    return [descriptor]
 
 
 def _public(address: str) -> str:
@@ -165,8 +146,7 @@ def _public(address: str) -> str:
     return f"https://{parts.netloc.rpartition('@')[2]}{parts.path}"
 
 
-def _asked(root: Path, *arguments: str) -> str:
-    """The output of git; empty if git fails."""
+def _git(root: Path, *arguments: str) -> str:
     try:
         return git.ask(root, *arguments).decode(errors="replace").strip()
     except RosmlError:
@@ -181,66 +161,50 @@ def _digest(digest: str) -> dict[str, str]:
 # ---- The statement ---------------------------------------------------------------------------------------------------
 
 
-def statement(
-    name: str, digest: str, definition: Mapping[str, Any], machine: Machine, started: str, finished: str
-) -> dict[str, Any]:
-    """The in-toto statement about a manifest.
+@dataclass(frozen=True)
+class Statement:
+    """What is said about a manifest.
 
-    Args:
-        name: the manifest's repository.
-        digest: the manifest's digest.
+    Attributes:
         definition: what it was made from.
-        machine: who made it.
-        started: time such as 2026-11-22T03:00:00Z.
-        finished: time such as 2026-11-22T03:00:00Z.
+        started: time such as 2026-11-22T03:00:00Z, and so is `finished`.
     """
-    metadata = {"invocationId": machine.invocation, "startedOn": started, "finishedOn": finished}
-    return {
-        "_type": STATEMENT,
-        "subject": [{"name": name, "digest": _digest(digest)}],
-        "predicateType": PREDICATE,
-        "predicate": {
-            "buildDefinition": definition,
-            "runDetails": {"builder": {"id": machine.builder}, "metadata": metadata},
-        },
-    }
+
+    repository: str
+    digest: str
+    definition: Mapping[str, Any]
+    machine: Machine
+    started: str
+    finished: str
+
+    def content(self) -> dict[str, Any]:
+        """The in-toto statement."""
+        metadata = {"invocationId": self.machine.invocation, "startedOn": self.started, "finishedOn": self.finished}
+        return {
+            "_type": STATEMENT,
+            "subject": [{"name": self.repository, "digest": _digest(self.digest)}],
+            "predicateType": PREDICATE,
+            "predicate": {
+                "buildDefinition": self.definition,
+                "runDetails": {"builder": {"id": self.machine.builder}, "metadata": metadata},
+            },
+        }
 
 
-def attach(
-    client: Registry,
-    repository: str,
-    digest: str,
-    definition: Mapping[str, Any],
-    machine: Machine,
-    started: str,
-    finished: str,
-    recorded: str = "",
-) -> str:
-    """Attaches a statement to a manifest, unless the registry has the one of the same builder that the records name.
-
+def attach(client: Registry, statement: Statement, recorded: str = "") -> str:
+    """Attaches a statement to its manifest, unless the registry has the one of the same builder that the records name.
     Other attached statements do not count: everybody with write access can attach one that names any builder.
 
-    Args:
-        client: of the registry.
-        repository: the manifest's repository.
-        digest: the manifest's digest.
-        definition: what it was made from.
-        machine: who made it.
-        started: as in `statement`.
-        finished: as in `statement`.
-        recorded: digest of the artifact with this builder's earlier statement, by the records.
-
-    Returns:
-        Digest of the artifact with the builder's statement.
-
-    Raises:
-        RosmlError: there is no such manifest; the registry does not answer or refuses.
+    Returns the digest of the artifact with the builder's statement.
     """
-    if recorded and client.head(repository, recorded):
+    if recorded and client.head(statement.repository, recorded):
         return recorded
-    subject = client.manifest(repository, digest)
+    subject = client.manifest(statement.repository, statement.digest)
     if subject is None:
-        raise RosmlError(f"{repository}@{digest} is not in the registry any more", "publish it again")
-    said = statement(repository, digest, definition, machine, started, finished)
-    annotations = {PREDICATE_ANNOTATION: PREDICATE, BUILDER: machine.builder, CREATED: finished}
-    return client.attach(repository, subject.descriptor, MEDIA_TYPE, encoded(said), MEDIA_TYPE, annotations)
+        raise RosmlError(
+            f"{statement.repository}@{statement.digest} is not in the registry any more", "publish it again"
+        )
+    builder = statement.machine.builder
+    annotations = {PREDICATE_ANNOTATION: PREDICATE, BUILDER: builder, CREATED: statement.finished}
+    data = encoded(statement.content())
+    return client.attach(statement.repository, subject.descriptor, MEDIA_TYPE, data, MEDIA_TYPE, annotations)

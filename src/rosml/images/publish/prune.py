@@ -18,7 +18,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from datetime import date, timedelta
 from functools import partial
-from typing import Any, TypeVar
+from typing import Any
 
 from rosml.base.clock import is_date
 from rosml.base.errors import RosmlError
@@ -26,7 +26,7 @@ from rosml.base.problems import counted, listed
 from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.model import PARTS, ImageSet
 from rosml.images.matrix.names import DATED
-from rosml.images.records.store import REPOSITORY, Entry, Records, date_of
+from rosml.images.records.store import REPOSITORY, Records, date_of
 from rosml.images.records.tag_moves import UNDO, read_moves
 from rosml.registry.client import Undeletable
 from rosml.registry.oci import INDEXES, Manifest
@@ -41,11 +41,8 @@ STAYS = " stays: "
 Digests = dict[str, set[str]]
 """By repository."""
 
-T = TypeVar("T")
-R = TypeVar("R")
 
-
-@dataclass
+@dataclass(frozen=True)
 class Pruning:
     """What can go.
 
@@ -55,18 +52,21 @@ class Pruning:
         records: tags of records of runs that are too old.
         kept: how many tags stay.
         needed: repository and digest of the manifests that kept tags and records lead to.
-        seen: where each of `tags` pointed.
+        tag_digests: where each of `tags` pointed.
+        run_records: digests of the records of all runs, by their tags.
+        graph: the manifests that were read.
     """
 
-    tags: list[tuple[str, str]] = field(default_factory=list)
-    manifests: list[tuple[str, str]] = field(default_factory=list)
-    records: list[str] = field(default_factory=list)
-    kept: int = 0
-    needed: set[tuple[str, str]] = field(default_factory=set)
-    seen: dict[tuple[str, str], str] = field(default_factory=dict)
+    tags: list[tuple[str, str]]
+    manifests: list[tuple[str, str]]
+    records: list[str]
+    kept: int
+    needed: frozenset[tuple[str, str]]
+    tag_digests: dict[tuple[str, str], str]
+    run_records: dict[str, str]
+    graph: _Graph = field(repr=False)
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return {
             "tags": [":".join(item) for item in self.tags],
             "manifests": ["@".join(item) for item in self.manifests],
@@ -80,7 +80,6 @@ class Pruner:
     """Finds what can go, and removes it.
 
     Attributes:
-        place: the registry.
         image_set: names the repositories.
         today: the day from which ages count.
         days: dated tags younger than this stay.
@@ -92,244 +91,249 @@ class Pruner:
     today: date
     days: int = 30
     newest: int = 3
-    _place: str = ""  # the repository of the next three fields
-    _recorded: set[str] = field(default_factory=set)  # digests that the records need
-    _now: set[str] = field(default_factory=set)  # digests in use, at the last look
-    _together: set[str] = field(default_factory=set)  # images of the index that was removed last
-    _fresh: bool = False  # whether the last look was after that index was removed
-    _runs: dict[str, str] = field(default_factory=dict)  # digests of the records of runs, as they were read
-    _moved: set[tuple[str, str]] = field(default_factory=set)  # what records of runs name that changed meanwhile
-    _known: dict[tuple[str, str], Manifest] = field(default_factory=dict)
-    _images: set[tuple[str, str]] = field(default_factory=set)
 
     def find(self) -> Pruning:
-        """Finds what can go.
-
-        Raises:
-            RosmlError: the registry does not answer.
-        """
-        found = Pruning()
-        self._known.clear()
-        self._images.clear()
-        oldest = self._oldest
-        self._moved.clear()
-        self._runs = self._records_of_runs()
-        roots, candidates, found.records = self._book()
-        for repository in self._repositories():
+        oldest = self.today - timedelta(days=self.days)
+        run_records = _run_records(self.place)
+        roots, candidates, records = _book(self.place, oldest)
+        graph = _Graph(self.place)
+        tags, manifests, kept = list[tuple[str, str]](), list[tuple[str, str]](), 0
+        needed, tag_digests = set[tuple[str, str]](), dict[tuple[str, str], str]()
+        frameworks = self.image_set.matrix.frameworks.values()
+        for repository in dict.fromkeys([*(framework.repository for framework in frameworks), PARTS]):
             path = self.place.path(repository)
-            tags = self._tags(path)
-            manifests = dict(zip(tags, side_by_side(partial(self._manifest, path), tags), strict=True))
-            going = {tag for tag in self._old(tags, oldest) if is_date(date_of(manifests[tag]))}
-            found.tags += sorted((repository, tag) for tag in going)
-            found.kept += len(tags) - len(going)
-            digests = {tag: manifest.digest if manifest else "" for tag, manifest in manifests.items()}
-            found.seen |= {(repository, tag): digests[tag] for tag in going}
-            keep = self._reach(path, {*roots.get(repository, ()), *(digests[tag] for tag in tags if tag not in going)})
-            found.needed.update((repository, digest) for digest in keep)
-            gone = self._reach(path, {*candidates.get(repository, ()), *(digests[tag] for tag in going)} - keep)
-            found.manifests += [(repository, digest) for digest in self._in_order(path, gone - keep)]
-        return found
+            names = graph.tags(path)
+            tagged = dict(zip(names, side_by_side(partial(graph.manifest, path), names), strict=True))
+            digests = {name: manifest.digest if manifest else "" for name, manifest in tagged.items()}
+            expired = {name for name in _expired_tags(names, oldest, self.newest) if is_date(date_of(tagged[name]))}
+            tags += sorted((repository, name) for name in expired)
+            kept += len(names) - len(expired)
+            tag_digests |= {(repository, name): digests[name] for name in expired}
+            keep = graph.reach(
+                path, {*roots.get(repository, ()), *(digests[name] for name in names if name not in expired)}
+            )
+            needed |= {(repository, digest) for digest in keep}
+            unused = graph.reach(path, {*candidates.get(repository, ()), *(digests[name] for name in expired)} - keep)
+            manifests += [(repository, digest) for digest in graph.in_order(path, unused - keep)]
+        return Pruning(tags, manifests, records, kept, frozenset(needed), tag_digests, run_records, graph)
 
-    def _in_order(self, path: str, gone: Iterable[str]) -> list[str]:
-        """Sorts digests: each index, followed by the images that no later index holds; at the end, images in no
-        index."""
-        digests = sorted(gone)
-        members = {digest: self._held_by(path, digest) for digest in digests}
-        last = {image: index for index in digests for image in members[index]}
-        alone = [digest for digest in digests if not members[digest] and digest not in last]
-        held = [
-            [index, *(image for image in digests if last.get(image) == index)] for index in digests if members[index]
-        ]
-        return [*dict.fromkeys(digest for several in held for digest in several), *alone]
-
-    def _held_by(self, path: str, digest: str) -> set[str]:
-        """The digests of an index's images; none if the manifest is no index."""
-        found = self._known.get((path, digest))
-        return {item.digest for item in found.members} if found else set()
-
-    def _tags(self, path: str) -> list[str]:
-        """Tags of a repository, without those that replace the referrers API."""
-        return [tag for tag in self.place.client.tags(path) if not FALLBACK.fullmatch(tag)]
-
-    def _manifest(self, path: str, reference: str) -> Manifest | None:
-        """The manifest of a tag or digest. A digest's content never changes, so it is asked for once."""
-        found = self._known.get((path, reference)) or self.place.client.manifest(path, reference)
-        if found:
-            self._known[path, found.digest] = found
-            self._images |= {(path, item.digest) for item in found.members if item.mediaType not in INDEXES}
-        return found
-
-    @property
-    def _oldest(self) -> date:
-        return self.today - timedelta(days=self.days)
-
-    def _book(self) -> tuple[Digests, Digests, list[str]]:
-        """What the records say: digests, by repository, that entries or kept records of runs name; digests that may go;
-        and records of runs that are too old."""
-        book = Records(self.place)
-        names = self.place.client.tags(book.repository)
-        records = sorted(name for name in names if name.startswith(UNDO))
-        old = [name for name in records if _day(name.removeprefix(UNDO)[:8]) < self._oldest]
-        roots: Digests = {}
-        candidates: Digests = {}
-        for entry in self._entries(book, [name for name in names if "." in name and not name.startswith(UNDO)]):
-            candidates.setdefault(entry.repository, set()).update(entry.superseded)
-            if entry.digest:
-                roots.setdefault(entry.repository, set()).add(entry.digest)
-        for name, moved in zip(records, side_by_side(partial(read_moves, book), records), strict=True):
-            for move in moved:  # an undo must be able to bring back what a kept record names
-                if move.old:
-                    target = candidates if name in old else roots
-                    target.setdefault(move.repository, set()).add(move.old)
-        return roots, candidates, old
-
-    def _records_of_runs(self) -> dict[str, str]:
-        """Digests of the records of runs, by their tags."""
-        path = self.place.path(REPOSITORY)
-        names = [name for name in self.place.client.tags(path) if name.startswith(UNDO)]
-        return dict(zip(names, side_by_side(partial(self.place.client.head, path), names), strict=True))
-
-    def _needed(self, repository: str, without: str = "") -> set[str]:
-        """The digests of a repository that are in use now, by tags, entries or records of runs.
-
-        Entries are read once for each repository: before a tag moves to the digest of an entry, there is a record of
-        the run. If a record of a run changed meanwhile, all digests in it count.
-
-        Args:
-            repository: without the registry's prefix.
-            without: a tag that does not count.
-        """
-        if repository != self._place:
-            self._place, self._recorded, self._together = repository, self._book()[0].get(repository, set()), set()
-        for name, digest in self._records_of_runs().items():
-            if self._runs.get(name) != digest:
-                self._runs[name] = digest
-                moves = read_moves(Records(self.place), name)
-                self._moved |= {(move.repository, end) for move in moves for end in (move.old, move.new) if end}
-        path = self.place.path(repository)
-        tags = side_by_side(partial(self.place.client.head, path), [tag for tag in self._tags(path) if tag != without])
-        moved = {digest for place, digest in self._moved if place == repository}
-        return self._reach(path, {*self._recorded, *moved, *tags})
-
-    def remove(self, found: Pruning) -> Iterator[str]:
-        """Removes tags, then manifests, then records. Gives a line for each one that is gone or stays.
+    def remove(self, pruning: Pruning) -> Iterator[str]:
+        """Removes tags, then manifests, then records. Yields a line for each one that is gone or stays.
 
         If a registry cannot delete a tag, the manifest stays as well: no digest goes while a tag points at it. A
-        manifest that came into use after the search stays, too.
-
-        Raises:
-            RosmlError: the registry does not answer, or refuses, or deletes nothing; then the message counts what
-                stays.
+        manifest that came into use after the search stays, too. If the registry deletes nothing, the error counts what
+        stays.
         """
-        steps: tuple[tuple[str, list[Any], Callable[[Pruning, Any], str]], ...] = (
-            ("tag", found.tags, self._remove_tag),
-            ("manifest", found.manifests, self._remove_manifest),
-            ("record", found.records, self._remove_record),
+        removal = _Removal(self.place, self.today - timedelta(days=self.days), pruning)
+        steps: tuple[tuple[str, list[Any], Callable[[Any], str]], ...] = (
+            ("tag", pruning.tags, removal.tag),
+            ("manifest", pruning.manifests, removal.manifest),
+            ("record", pruning.records, removal.record),
         )
-        left = {kind: len(items) for kind, items, _ in steps}
-        for kind, items, work in steps:
-            self._place = ""
+        open_counts = {kind: len(items) for kind, items, _ in steps}
+        for kind, items, remove in steps:
+            removal.forget_repository()
             for item in items:
                 try:
-                    line = work(found, item)
+                    line = remove(item)
                 except Undeletable as error:
-                    stays = listed([counted(number, name) for name, number in left.items() if number])
+                    stays = listed([counted(number, name) for name, number in open_counts.items() if number])
                     raise RosmlError(f"{error.message}: {stays} could go, and stay", error.remedy) from None
-                left[kind] -= STAYS not in line
+                open_counts[kind] -= STAYS not in line
                 if line:
                     yield line
 
-    def _remove_tag(self, found: Pruning, item: tuple[str, str]) -> str:
+
+class _Graph:
+    """The manifests of a registry. The content of a digest never changes, so each is asked for once."""
+
+    def __init__(self, place: Place) -> None:
+        self._client = place.client
+        self._manifests: dict[tuple[str, str], Manifest] = {}
+        self._images: set[tuple[str, str]] = set()
+
+    def tags(self, path: str) -> list[str]:
+        return [tag for tag in self._client.tags(path) if not FALLBACK.fullmatch(tag)]
+
+    def manifest(self, path: str, reference: str) -> Manifest | None:
+        """The manifest of a tag or digest."""
+        manifest = self._manifests.get((path, reference)) or self._client.manifest(path, reference)
+        if manifest:
+            self._manifests[path, manifest.digest] = manifest
+            self._images |= {(path, item.digest) for item in manifest.members if item.mediaType not in INDEXES}
+        return manifest
+
+    def members(self, path: str, digest: str) -> set[str]:
+        """The digests of an index's images, if the index was read before."""
+        manifest = self._manifests.get((path, digest))
+        return {item.digest for item in manifest.members} if manifest else set()
+
+    def reach(self, path: str, digests: Iterable[str]) -> set[str]:
+        """The digests that are in the registry, and the images of the indexes among them."""
+        todo, reached = {digest for digest in digests if digest}, set[str]()
+        while todo:
+            # If an index names an image, it is in the registry: a registry takes no index without its images.
+            reached |= {digest for digest in todo if (path, digest) in self._images}
+            manifests = [item for item in side_by_side(partial(self.manifest, path), todo - reached) if item]
+            reached |= {manifest.digest for manifest in manifests}
+            todo = {item.digest for manifest in manifests for item in manifest.members} - reached
+        return reached
+
+    def in_order(self, path: str, digests: Iterable[str]) -> list[str]:
+        """Sorts digests: each index, followed by the images that no later index holds; at the end, images in no
+        index."""
+        digests = sorted(digests)
+        members = {digest: self.members(path, digest) for digest in digests}
+        last = {image: index for index in digests for image in members[index]}
+        alone = [digest for digest in digests if not members[digest] and digest not in last]
+        groups = [
+            [index, *(image for image in digests if last.get(image) == index)] for index in digests if members[index]
+        ]
+        return [*dict.fromkeys(digest for group in groups for digest in group), *alone]
+
+    def attached(self, path: str, digest: str) -> list[str]:
+        """Artifacts attached to a manifest, and artifacts attached to these; the outermost come first."""
+        todo, artifacts = [digest], list[str]()
+        while todo:
+            below = [item["digest"] for item in self._client.referrers(path, todo.pop(0))]
+            todo += [item for item in below if item not in artifacts]
+            artifacts += [item for item in below if item not in artifacts]
+        return artifacts[::-1]
+
+
+class _Removal:
+    """Removes what can go, unless it came into use since the search."""
+
+    def __init__(self, place: Place, oldest: date, pruning: Pruning) -> None:
+        self._place = place
+        self._client = place.client
+        self._oldest = oldest
+        self._graph = pruning.graph
+        self._tag_digests = pruning.tag_digests
+        self._needed = set(pruning.needed)
+        self._run_records = dict(pruning.run_records)
+        self._moved: set[tuple[str, str]] = set()  # what records of runs name that changed meanwhile
+        self.forget_repository()
+
+    def forget_repository(self) -> None:
+        self._repository = ""  # that of the next fields
+        self._recorded: set[str] = set()  # digests that the records need
+        self._in_use: set[str] = set()  # at the last look
+        self._members: set[str] = set()  # images of the index that was removed last
+        self._fresh = False  # whether the last look was after that index was removed
+
+    def tag(self, item: tuple[str, str]) -> str:
         repository, tag = item
-        path = self.place.path(repository)
-        digest = self.place.client.head(path, tag)
+        path = self._place.path(repository)
+        digest = self._client.head(path, tag)
         if not digest:  # somebody else removed the tag
             return ""
-        if digest != found.seen.get(item, digest):
+        if digest != self._tag_digests.get(item, digest):
             return f"{repository}:{tag}{STAYS}it moved meanwhile"
         try:
-            self.place.client.delete(path, tag)
+            self._client.delete(path, tag)
         except RosmlError as error:
-            if (repository, digest) in found.needed or digest in self._needed(repository, without=tag):
-                found.needed.update((repository, needed) for needed in self._reach(path, [digest]))
+            if (repository, digest) in self._needed or digest in self._look(repository, without=tag):
+                self._needed.update((repository, needed) for needed in self._graph.reach(path, [digest]))
                 return f"{repository}:{tag}{STAYS}{error.message}"
-            self.place.client.delete(path, digest)  # the registry deletes only digests, and no other tag has this one
+            self._client.delete(path, digest)  # the registry deletes only digests, and no other tag has this one
             return f"{repository}:{tag} with {digest}"
         return f"{repository}:{tag}"
 
-    def _remove_manifest(self, found: Pruning, item: tuple[str, str]) -> str:
+    def manifest(self, item: tuple[str, str]) -> str:
         """Removes a manifest and the artifacts attached to it."""
         repository, digest = item
-        path = self.place.path(repository)
-        if item in found.needed or not self.place.client.head(path, digest):
+        path = self._place.path(repository)
+        if item in self._needed or not self._client.head(path, digest):
             return ""
-        together = repository == self._place and digest in self._together
-        if not (together and self._fresh):
-            self._now, self._fresh = self._needed(repository), together
-        if not together:
-            self._together = self._held_by(path, digest)
-        if digest in self._now:
+        is_member = repository == self._repository and digest in self._members
+        if not (is_member and self._fresh):
+            self._in_use, self._fresh = self._look(repository), is_member
+        if not is_member:
+            self._members = self._graph.members(path, digest)
+        if digest in self._in_use:
             return f"{repository}@{digest}{STAYS}it is in use again"
-        attached = [name for name in self._attached(path, digest) if name not in self._now]
-        self.place.client.delete(path, digest)
-        if not self.place.client.head(path, digest):  # nobody has pushed it again meanwhile
-            side_by_side(partial(self.place.client.delete, path), attached)
-            self.place.client.forget(path, digest)
+        attached = [name for name in self._graph.attached(path, digest) if name not in self._in_use]
+        self._client.delete(path, digest)
+        if not self._client.head(path, digest):  # nobody has pushed it again meanwhile
+            side_by_side(partial(self._client.delete, path), attached)
+            self._client.forget(path, digest)
         return f"{repository}@{digest}"
 
-    def _remove_record(self, _: Pruning, name: str) -> str:
-        path = self.place.path(REPOSITORY)
+    def record(self, name: str) -> str:
+        path = self._place.path(REPOSITORY)
         try:
-            self.place.client.delete(path, name)
+            self._client.delete(path, name)
         except RosmlError:  # the registry deletes only digests, and each record has its own
-            self.place.client.delete(path, self.place.client.head(path, name))
+            self._client.delete(path, self._client.head(path, name))
         return f"{REPOSITORY}:{name}"
 
-    def _repositories(self) -> Iterable[str]:
-        return dict.fromkeys([*(facts.repository for facts in self.image_set.matrix.frameworks.values()), PARTS])
+    def _look(self, repository: str, without: str = "") -> set[str]:
+        """The digests of a repository that are in use now: by tags, except for one, by entries or by records of runs.
 
-    def _entries(self, book: Records, names: Iterable[str]) -> Iterator[Entry]:
-        keys = [(target, architecture) for target, _, architecture in (name.rpartition(".") for name in names)]
-        found = book.read_all(keys)
-        if lost := [key for key in keys if key not in found]:
-            # An entry that cannot be read may name a digest that would be removed.
-            raise RosmlError(
-                f"the records' entry {'.'.join(lost[0])} cannot be read, so no digest is known to be unused",
-                "publish that image again, or use the version of this program that wrote it",
-            )
-        yield from found.values()
+        Entries are read once for each repository: before a tag moves to the digest of an entry, there is a record of
+        the run. If a record of a run changed meanwhile, all digests in it count.
+        """
+        if repository != self._repository:
+            self.forget_repository()
+            self._repository, self._recorded = repository, _book(self._place, self._oldest)[0].get(repository, set())
+        for name, digest in _run_records(self._place).items():
+            if self._run_records.get(name) != digest:
+                self._run_records[name] = digest
+                moves = read_moves(Records(self._place), name)
+                self._moved |= {(move.repository, end) for move in moves for end in (move.old, move.new) if end}
+        path = self._place.path(repository)
+        tags = [tag for tag in self._graph.tags(path) if tag != without]
+        digests = side_by_side(partial(self._client.head, path), tags)
+        moved = {digest for place, digest in self._moved if place == repository}
+        return self._graph.reach(path, {*self._recorded, *moved, *digests})
 
-    def _old(self, tags: Iterable[str], oldest: date) -> Iterator[str]:
-        """Dated tags that are too old, without the newest ones of each image."""
-        families: dict[str, list[str]] = {}
-        for tag in tags:
-            if match := DATED.search(tag):
-                families.setdefault(tag[: match.start()], []).append(tag)
-        for members in families.values():
-            for tag in sorted(members, reverse=True)[self.newest :]:
-                match = DATED.search(tag)
-                if match and _day(match[1]) < oldest:
-                    yield tag
 
-    def _reach(self, path: str, digests: Iterable[str]) -> set[str]:
-        """The digests that are in the registry, and the images of the indexes among them."""
-        todo, found = {digest for digest in digests if digest}, set[str]()
-        while todo:
-            # If an index names an image, it is in the registry: a registry takes no index without its images.
-            found |= {digest for digest in todo if (path, digest) in self._images}
-            manifests = [item for item in side_by_side(partial(self._manifest, path), todo - found) if item]
-            found |= {manifest.digest for manifest in manifests}
-            todo = {item.digest for manifest in manifests for item in manifest.members} - found
-        return found
+def _book(place: Place, oldest: date) -> tuple[Digests, Digests, list[str]]:
+    """What the records say: digests that entries or kept records of runs name; digests that may go; and records of runs
+    that are too old."""
+    book = Records(place)
+    names = place.client.tags(book.repository)
+    records = sorted(name for name in names if name.startswith(UNDO))
+    expired = [name for name in records if _day(name.removeprefix(UNDO)[:8]) < oldest]
+    roots: Digests = {}
+    candidates: Digests = {}
+    tags = [name for name in names if "." in name and not name.startswith(UNDO)]
+    keys = [(target, architecture) for target, _, architecture in (name.rpartition(".") for name in tags)]
+    entries = book.read_all(keys)
+    if unreadable := [key for key in keys if key not in entries]:
+        # An entry that cannot be read may name a digest that would be removed.
+        raise RosmlError(
+            f"the records' entry {'.'.join(unreadable[0])} cannot be read, so no digest is known to be unused",
+            "publish that image again, or use the version of this program that wrote it",
+        )
+    for entry in entries.values():
+        candidates.setdefault(entry.repository, set()).update(entry.superseded)
+        if entry.digest:
+            roots.setdefault(entry.repository, set()).add(entry.digest)
+    for name, moves in zip(records, side_by_side(partial(read_moves, book), records), strict=True):
+        for move in moves:  # an undo must be able to bring back what a kept record names
+            if move.old:
+                digests = candidates if name in expired else roots
+                digests.setdefault(move.repository, set()).add(move.old)
+    return roots, candidates, expired
 
-    def _attached(self, path: str, digest: str) -> list[str]:
-        """Artifacts attached to a manifest, and artifacts attached to these; the outermost come first."""
-        todo, found = [digest], list[str]()
-        while todo:
-            below = [item["digest"] for item in self.place.client.referrers(path, todo.pop(0))]
-            todo += [item for item in below if item not in found]
-            found += [item for item in below if item not in found]
-        return found[::-1]
+
+def _run_records(place: Place) -> dict[str, str]:
+    """Digests of the records of runs, by their tags."""
+    path = place.path(REPOSITORY)
+    names = [name for name in place.client.tags(path) if name.startswith(UNDO)]
+    return dict(zip(names, side_by_side(partial(place.client.head, path), names), strict=True))
+
+
+def _expired_tags(tags: Iterable[str], oldest: date, newest: int) -> Iterator[str]:
+    """Dated tags that are too old, without the newest ones of each image."""
+    families: dict[str, list[tuple[str, date]]] = {}
+    for tag in tags:
+        if match := DATED.search(tag):
+            families.setdefault(tag[: match.start()], []).append((tag, _day(match[1])))
+    for members in families.values():
+        yield from (tag for tag, day in sorted(members, reverse=True)[newest:] if day < oldest)
 
 
 def _day(text: str) -> date:

@@ -21,19 +21,15 @@ from rosml.machine import git
 
 
 def since(version: str, now: Inputs) -> Difference:
-    """The difference from a git revision; or from another matrix file, with all other files of this checkout.
-
-    Raises:
-        RosmlError: there is no such version, or this version of the project cannot read it.
-    """
+    """The difference from a git revision; or from another matrix file, with all other files of this checkout."""
     if os.path.isfile(version):
         return between(Inputs(now.root, load.load(Path(version))), now)
     with tempfile.TemporaryDirectory() as folder:
         _unpack(version, now.root, Path(folder))
-        return between(Inputs(Path(folder), _catalogue(version, Path(folder))), now)
+        return between(Inputs(Path(folder), _image_set(version, Path(folder))), now)
 
 
-def _catalogue(revision: str, folder: Path) -> sets.ImageSet:
+def _image_set(revision: str, folder: Path) -> sets.ImageSet:
     if not (base := folder / "matrix.yaml").is_file():
         raise RosmlError(f"revision {revision} has no matrix.yaml", remedy="name a later one", exit_code=2)
     try:
@@ -46,7 +42,6 @@ def _catalogue(revision: str, folder: Path) -> sets.ImageSet:
 
 
 def _unpack(revision: str, root: Path, folder: Path) -> None:
-    """Writes the files of a revision into a folder."""
     commit = _git(root, "rev-parse", "--verify", "--quiet", "--end-of-options", f"{revision}^{{commit}}")
     if not commit:
         remedy = "see the revisions with: git log --oneline --all (a shallow clone lacks most: git fetch --unshallow)"
@@ -61,7 +56,6 @@ def _unpack(revision: str, root: Path, folder: Path) -> None:
 
 
 def _git(root: Path, *arguments: str) -> bytes:
-    """The output of git; empty if git fails silently."""
     try:
         return git.ask(root, *arguments)
     except RosmlError as error:

@@ -20,12 +20,13 @@ from rosml.images.builds.maker import Maker
 from rosml.images.image_set.model import Image, Part
 from rosml.images.publish import provenance
 from rosml.images.publish.cosign import Signer
-from rosml.images.publish.state import ELSEWHERE, Item, State
+from rosml.images.publish.items import ELSEWHERE, Item, Key
+from rosml.images.publish.state import State
 from rosml.images.records.store import INDEX, Entry, Records
 from rosml.machine import buildx
 
 Work = Callable[[Item, Entry], Entry]
-"""Does a step's work on an item; gives the item's new entry."""
+"""Does a step's work on an item, and returns the item's new entry."""
 
 SUPERSEDED = 20
 """If an entry lists more superseded digests than this, it forgets those that are gone from the registry."""
@@ -40,10 +41,7 @@ class Outcome:
     """What a step did for an item.
 
     Attributes:
-        step: name of the step.
-        target: the item's bake target.
-        architecture: the item's architecture; empty for an index or tags.
-        state: done; failed; or waits, if something is missing.
+        architecture: empty for an index or tags.
         reason: what was done, or why it failed or waits.
         seconds: wall time.
         waited: how much of it other builds had the builder.
@@ -60,7 +58,6 @@ class Outcome:
     waited: float = 0.0
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return {name: value for name, value in vars(self).items() if value != ""}
 
 
@@ -69,12 +66,9 @@ class Run:
     """A publishing run.
 
     Attributes:
-        state: what is known; the run keeps it up to date.
-        maker: builds, joins and tests.
         say: prints a line of progress.
         signer: signs indexes. Without a signature they get no tags. None if nothing is signed.
         started: when the run began, by the monotonic clock.
-        outcomes: what was done so far.
         pushed: bytes of layers that the builder added to the registry.
         deadline: when the run starts no further item, by the monotonic clock.
         on_made: called for each image as soon as it is built or joined.
@@ -97,28 +91,24 @@ class Run:
     refused: int = 0
     whole: bool = False
     _may_push: bool = False
-    beforehand: dict[tuple[str, str], float] = field(default_factory=dict)
+    beforehand: dict[Key, float] = field(default_factory=dict)
 
     @property
     def records(self) -> Records:
-        """The records of the registry."""
         return self.state.records
 
     @property
     def failed(self) -> bool:
-        """Whether something failed."""
         return any(outcome.state == "failed" for outcome in self.outcomes)
 
     @property
     def uploaded(self) -> int:
         """Bytes sent to the registry since its client was made: new layers, configs, manifests, attached artifacts,
-        indexes and records. Signatures, of about 1 kB each, do not count: cosign sends them.
-        """
+        indexes and records. Signatures, of about 1 kB each, do not count: cosign sends them."""
         return self.pushed + self.state.place.client.uploaded
 
     @cached_property
     def machine(self) -> provenance.Machine:
-        """Who makes the images of this run."""
         return provenance.Machine.here(self.state.date)
 
     @cached_property
@@ -128,33 +118,21 @@ class Run:
 
     def parts(self, item: Item) -> dict[str, str]:
         """Digests of what an item is put together from, by target."""
-        return {target: self.state.known[target, item.architecture].digest for target in item.needs}
+        return {target: self.state.entries[target, item.architecture].digest for target in item.needs}
 
     # ---- Work --------------------------------------------------------------------------------------------------------
 
     def each(self, step: str, items: Sequence[Item], work: Work) -> bool:
-        """Does a step's work on the items that are ready for it.
-
-        Returns:
-            Whether items were postponed, so that the step has to be repeated.
-        """
+        """Does a step's work on the items that are ready for it. Returns whether items were postponed, so that the step
+        has to be repeated."""
         expected = sum(step in self.state.task(item).steps for item in items)
-        number, again = 0, False
+        number, postponed = 0, False
         for item in progress_bar.over(items, step, len(items)):
             task = self.state.task(item, ahead=False)
-            if task.hindered:
-                if task.hindered != ELSEWHERE:
-                    self.outcomes.append(Outcome(step, *item.key, "waits", task.hindered))
+            if reason := self._reason_to_wait(step, task.steps, task.hindered):
+                self.outcomes.append(Outcome(step, *item.key, "waits", reason))
                 continue
-            if step not in task.steps[:1]:
-                if step in task.steps:  # an earlier step comes first
-                    self.outcomes.append(Outcome(step, *item.key, "waits", f"{task.steps[0]} comes first"))
-                continue
-            if self.whole and self.failed:
-                self.outcomes.append(Outcome(step, *item.key, "waits", "something failed before it"))
-                continue
-            if time.monotonic() >= self.deadline:
-                self.outcomes.append(Outcome(step, *item.key, "waits", "the time of this run is over"))
+            if step not in task.steps:
                 continue
             if step == "build":
                 self.state.look_again(item)
@@ -166,30 +144,31 @@ class Run:
                 self.do(step, item, f"({number} of {expected})", task.why, work)
             except Postponed as news:
                 self.say(str(news))
-                again = True
+                postponed = True
                 continue
             if item.kind != "part" and step != "test":
                 self.on_made(item)
-        return again
+        return postponed
 
-    def do(self, step: str, item: Item, which: str, why: Sequence[str], work: Work) -> None:
-        """Does a step's work on an item, and records the result.
+    def _reason_to_wait(self, step: str, steps: Sequence[str], hindered: str) -> str:
+        """Why an item waits, and people are told so; empty if it is ready, or nothing is to be done here."""
+        if hindered:
+            return "" if hindered == ELSEWHERE else hindered
+        if step not in steps:
+            return ""
+        if step != steps[0]:
+            return f"{steps[0]} comes first"
+        if self.whole and self.failed:
+            return "something failed before it"
+        return "the time of this run is over" if time.monotonic() >= self.deadline else ""
 
-        Args:
-            step: name of the step.
-            item: an image or part.
-            which: a count for people, such as `(2 of 7)`.
-            why: reasons.
-            work: does it.
-
-        Raises:
-            Postponed: by the work.
-        """
+    def do(self, step: str, item: Item, count: str, why: Sequence[str], work: Work) -> None:
+        """Does a step's work on an item, and records the result. The work may raise `Postponed`."""
         if not self._may_push:  # ask before the first work, which may take hours
             self.state.place.client.may_push(self.records.repository)
             self._may_push = True
-        self.say(f"{step} {item.target} for {item.architecture} {which}: {'; '.join(why)}")
-        entry = self.state.known.get(item.key) or Entry(*item.key)
+        self.say(f"{step} {item.target} for {item.architecture} {count}: {'; '.join(why)}")
+        entry = self.state.entries.get(item.key) or Entry(*item.key)
         started, before, waits = time.monotonic(), self.uploaded, buildx.waited()
         try:
             entry = work(item, entry)
@@ -205,40 +184,30 @@ class Run:
 
     def write(self, item: Item, entry: Entry) -> None:
         """Records the new entry of an item."""
-        entry = self._without_what_is_gone(replace(entry, changed=self.state.date))
-        self.records.write(entry, self.state.inputs.of(*item.key))
-        self.state.known[item.key] = entry
-        if entry.digest:
-            self.state.present.add(item.key)
+        self._write(item.key, entry, self.state.inputs.of(*item.key))
 
     def write_index(self, thing: Image | Part, entry: Entry) -> None:
         """Records the new entry of the index of an image or part."""
-        entry = self._without_what_is_gone(replace(entry, changed=self.state.date))
-        self.records.write(entry, {})
-        self.state.known[thing.target, INDEX] = entry
-        self.state.present.add((thing.target, INDEX))
+        self._write((thing.target, INDEX), entry, {})
 
-    def _without_what_is_gone(self, entry: Entry) -> Entry:
-        """The entry; if it has many superseded digests, without those that are gone, so that it does not grow for
-        ever."""
-        if len(entry.superseded) <= SUPERSEDED:
-            return entry
-        place = self.state.place
-        there = (x for x in entry.superseded if place.client.head(place.path(entry.repository), x))
-        return replace(entry, superseded=tuple(there))
+    def _write(self, key: Key, entry: Entry, inputs: dict[str, str]) -> None:
+        entry = replace(entry, changed=self.state.date)
+        if len(entry.superseded) > SUPERSEDED:  # so that the entry does not grow for ever
+            place = self.state.place
+            path = place.path(entry.repository)
+            entry = replace(entry, superseded=tuple(x for x in entry.superseded if place.client.head(path, x)))
+        self.records.write(entry, inputs)
+        self.state.entries[key] = entry
+        if entry.digest:
+            self.state.present.add(key)
 
-    def put_in_order(self, before: int) -> None:
-        """Sorts the outcomes of images that were done side by side.
-
-        Args:
-            before: how many outcomes there were before; these stay as they are.
-        """
+    def put_in_order(self, first: int) -> None:
+        """Sorts the outcomes from the first one on, of images that were done side by side."""
         order = {item.target: number for number, item in enumerate(self.state.items)}
-        self.outcomes[before:] = sorted(self.outcomes[before:], key=lambda outcome: order[outcome.target])
+        self.outcomes[first:] = sorted(self.outcomes[first:], key=lambda outcome: order[outcome.target])
 
 
 def failure(step: str, message: str, remedy: str = "") -> dict[str, str]:
     """What an entry says of a failed step: the beginning of its message, since records are no place for logs."""
-    return {"step": step, "reason": "\n".join(message.splitlines()[:12])[:2000]} | (
-        {"remedy": remedy} if remedy else {}
-    )
+    reason = "\n".join(message.splitlines()[:12])[:2000]
+    return {"step": step, "reason": reason} | ({"remedy": remedy} if remedy else {})

@@ -9,7 +9,7 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.images.builds.structure_tests import LABEL
 
-OWN = ("org.opencontainers.image.base.digest",)
+BY_ARCHITECTURE = ("org.opencontainers.image.base.digest",)
 """Labels that may differ by architecture: a machine may use another base image than the one in matrix.yaml."""
 
 CONTENT = {
@@ -25,12 +25,7 @@ have different names on different architectures. Debian packages may differ by a
 
 
 def content(versions: Mapping[str, str], released: Iterable[str] = ()) -> dict[str, str]:
-    """The versions in an image that must be the same. 2.10.0+cpu counts as 2.10.0, built for another accelerator.
-
-    Args:
-        versions: all versions found in the image.
-        released: further packages that count; each may have `-cpu` or `-gpu` after its name.
-    """
+    """The versions in an image that must be the same. 2.10.0+cpu counts as 2.10.0, built for another accelerator."""
     patterns = {**CONTENT, **{name: f"{re.escape(name)}(-cpu|-gpu)?" for name in released}}
     return {
         name: version.split("+")[0]
@@ -49,36 +44,33 @@ def require(
     """Checks that the images of an index have the same configs and versions.
 
     Args:
-        target: for the message.
         configs: the images' configs by architecture.
         versions: the versions found in the images by architecture.
         released: packages that the images are releases of.
-
-    Raises:
-        RosmlError: they differ; the message says how.
     """
-    found: dict[str, dict[str, str]] = {}
-    for architecture, config in configs.items():
-        inner = config.get("config") or {}
-        if config.get("architecture") != architecture:
-            raise RosmlError(
-                f"{target}: the image for {architecture} says that it is for {config.get('architecture')}",
-                "rebuild it: --force",
-            )
-        facts = {name: str(value) for name, value in (inner.get("Labels") or {}).items() if name not in OWN}
-        facts |= dict(item.split("=", 1) for item in inner.get("Env") or [] if "=" in item)
-        facts |= {key: str(inner.get(key)) for key in ("Entrypoint", "Cmd", "WorkingDir", "User")}
-        facts |= {
-            f"{name} inside": version for name, version in content(versions.get(architecture, {}), released).items()
-        }
-        found[architecture] = facts
-    first, *others = found
+    facts = {
+        architecture: _facts(target, architecture, config, content(versions.get(architecture, {}), released))
+        for architecture, config in configs.items()
+    }
+    first, *others = facts
     for other in others:
-        for name in sorted(found[first].keys() | found[other].keys()):
-            one, two = found[first].get(name, "nothing"), found[other].get(name, "nothing")
-            if one != two:
+        for name in sorted(facts[first].keys() | facts[other].keys()):
+            value, other_value = facts[first].get(name, "nothing"), facts[other].get(name, "nothing")
+            if value != other_value:
                 shown = name.removeprefix(LABEL)
                 raise RosmlError(
-                    f"{target} is not the same on all architectures: {shown} is {one} on {first}, {two} on {other}",
+                    f"{target} is not the same on all architectures: {shown} is {value} on {first}, {other_value} on {other}",
                     "build both from the same inputs, or give them separate tags",
                 )
+
+
+def _facts(target: str, architecture: str, config: Mapping[str, Any], versions: Mapping[str, str]) -> dict[str, str]:
+    """What has to be the same on all architectures."""
+    if config.get("architecture") != architecture:
+        text = f"{target}: the image for {architecture} says that it is for {config.get('architecture')}"
+        raise RosmlError(text, "rebuild it: --force")
+    settings = config.get("config") or {}
+    facts = {name: str(value) for name, value in (settings.get("Labels") or {}).items() if name not in BY_ARCHITECTURE}
+    facts |= dict(item.split("=", 1) for item in settings.get("Env") or [] if "=" in item)
+    facts |= {key: str(settings.get(key)) for key in ("Entrypoint", "Cmd", "WorkingDir", "User")}
+    return facts | {f"{name} inside": version for name, version in versions.items()}

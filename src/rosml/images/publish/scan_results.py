@@ -22,50 +22,44 @@ from rosml.images.scan.trivy import WRITTEN_BYTES
 from rosml.registry.references import is_digest
 
 
-class _Facts(Shape):
-    model_config = ConfigDict(frozen=True, strict=True)
-
-
-class _Handed(_Facts):
+class _File(Shape):
     """The content of the file, as `scan/results.py` writes it."""
+
+    model_config = ConfigDict(frozen=True, strict=True)
 
     version: Literal[1]
     entries: list[Any]
 
 
 def record(run: Run, file: Path) -> None:
-    """Writes the results of a scan into the registry.
+    """Writes the results of a scan into the registry."""
+    for scanned in _read(file):
+        key = scanned.target, scanned.architecture
+        entry = run.state.entries.get(key)
+        if entry is None or entry.digest != scanned.digest:
+            run.outcomes.append(Outcome("record", *key, "waits", "it was rebuilt after the scan"))
+            continue
+        entry = replace(entry, scanned=scanned.scanned, scan=scanned.scan, changed=run.state.date)
+        run.records.write(entry)
+        run.state.entries[key] = entry
+        run.outcomes.append(Outcome("record", *key, "done", scanned.scanned))
 
-    Raises:
-        RosmlError: the file cannot be read, or the registry fails.
-    """
+
+def _read(file: Path) -> list[store.Entry]:
     try:
         data = file.read_bytes()
-        content = _Handed.model_validate_json(untrusted.json_text(data, WRITTEN_BYTES))
+        content = _File.model_validate_json(untrusted.json_text(data, WRITTEN_BYTES))
         untrusted.json_value(data, WRITTEN_BYTES)  # checks it: the entries go into the records unchanged
-        entries = [_entry(item) for item in content.entries]
+        return [_entry(item) for item in content.entries]
     except (OSError, ValueError) as error:
         reason = first_of(error) if isinstance(error, ValidationError) else getattr(error, "strerror", "") or error
         text = f"{file} does not hold the results of a scan: {reason}"
         raise RosmlError(text, "write it again with: rosml publish scan --output FILE", exit_code=2) from None
-    for found in entries:
-        key = found.target, found.architecture
-        known = run.state.known.get(key)
-        if known is None or known.digest != found.digest:
-            run.outcomes.append(Outcome("record", *key, "waits", "it was rebuilt after the scan"))
-            continue
-        entry = replace(known, scanned=found.scanned, scan=found.scan, changed=run.state.date)
-        run.records.write(entry)
-        run.state.known[key] = entry
-        run.outcomes.append(Outcome("record", *key, "done", found.scanned))
 
 
 def _entry(item: Any) -> store.Entry:
-    found = store.parse(item)
-    if (
-        found is None
-        or found.scanned not in {outcome.value for outcome in judge.Outcome}
-        or not is_digest(found.digest)
-    ):
+    entry = store.parse(item)
+    outcomes = {outcome.value for outcome in judge.Outcome}
+    if entry is None or entry.scanned not in outcomes or not is_digest(entry.digest):
         raise ValueError("an entry has no outcome of a scan")
-    return found
+    return entry

@@ -19,8 +19,9 @@ from rosml.base.shapes import Shape
 from rosml.images.builds import disk
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix.sizes import Size
+from rosml.images.publish.items import Key
 
-Named = Annotated[tuple[str, ...], Field(min_length=1)]
+Names = Annotated[tuple[str, ...], Field(min_length=1)]
 """Names, at least one: an empty list would mean all."""
 
 
@@ -49,14 +50,11 @@ class Shard(Fact):
 
     Attributes:
         name: `amd64-1`; an architecture's longest shard has the number 1.
-        architecture: such as `amd64`.
         platform: such as `linux/amd64`.
         runner: label of the machines in CI.
-        distributions: the distributions that it builds, in the order of the matrix.
         targets: bake targets in build order: for each distribution the ROS images from the lowest up, then the others.
         parts: names of the parts that its images have.
         elsewhere: names of those that another shard builds.
-        estimates: what it takes.
     """
 
     name: str
@@ -64,7 +62,7 @@ class Shard(Fact):
     platform: str
     runner: str
     distributions: tuple[str, ...]
-    targets: Named
+    targets: Names
     parts: tuple[str, ...]
     elsewhere: tuple[str, ...]
     estimates: Estimates
@@ -79,14 +77,14 @@ class Work:
     """The work of a run, by target and architecture.
 
     Attributes:
-        made: images and parts to build or join.
+        built: images and parts to build or join.
         tested: images to test.
-        seconds: what each step took the last time, if that is known.
+        seconds: how long each step took the last time.
     """
 
-    made: frozenset[tuple[str, str]]
-    tested: frozenset[tuple[str, str]]
-    seconds: Mapping[tuple[str, str], Mapping[str, float]] = field(default_factory=dict)
+    built: frozenset[Key]
+    tested: frozenset[Key]
+    seconds: Mapping[Key, Mapping[str, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -104,15 +102,11 @@ def deal(
     """Deals the images of a set to machines: by architecture, the longest shard first.
 
     Args:
-        image_set: all that the matrix describes.
         shards: how many machines there are at most. Each architecture with work gets at least one.
         include: whether an image is built. The ROS images below it are built with it.
         work: what has to be done; all included images if None. Images and architectures without work get no machine,
             and estimates of time count only work. Estimates of download and disk count whole images, since tests need
             these.
-
-    Raises:
-        RosmlError: the matrix names no runner for an architecture (exit code 2).
     """
     units = _units(image_set, include, work)
     return tuple(
@@ -136,11 +130,11 @@ def _runner(image_set: ImageSet, architecture: str) -> str:
 
 
 def _units(image_set: ImageSet, include: Callable[[Image], bool], work: Work | None) -> dict[str, list[Unit]]:
-    """Units by architecture, both in the order of the matrix; without architectures that have no unit."""
     members: dict[str, dict[str, list[Image]]] = {name: {} for name in image_set.matrix.architectures}
     for image in filter(include, image_set.images):
         for architecture in image.architectures:
-            if work is None or (image.target, architecture) in work.made | work.tested:
+            key = image.target, architecture
+            if work is None or key in work.built or key in work.tested:
                 members[architecture].setdefault(image.distribution, []).append(image)
     return {
         architecture: [_unit(image_set, name, images, architecture, work) for name, images in distributions.items()]
@@ -153,42 +147,40 @@ def _unit(image_set: ImageSet, distribution: str, images: list[Image], architect
     rates = image_set.matrix.rates
     ordered = _ordered(image_set, images)
 
-    def made(target: str) -> bool:
-        return work is None or (target, architecture) in work.made
+    def is_built(target: str) -> bool:
+        return work is None or (target, architecture) in work.built
 
-    def took(target: str, step: str) -> int | None:
-        found = work.seconds.get((target, architecture), {}).get(step) if work else None
-        return math.ceil(found) if found and found >= 1 else None  # less than a second: it came from a cache
+    def measured(target: str, step: str) -> int | None:
+        seconds = work.seconds.get((target, architecture), {}).get(step, 0) if work else 0
+        return math.ceil(seconds) if seconds >= 1 else None  # less than a second: it came from a cache
 
     def test(image: Image) -> int:
         carried = rates.carried if image.carriers[:1] == (image.target,) else 0
-        known = took(image.target, "test")
-        return rates.test + carried if known is None else known
+        seconds = measured(image.target, "test")
+        return rates.test + carried if seconds is None else seconds
 
-    ros = [image for image in ordered if image.stack is None and made(image.target)]
-    known = {image.target: seconds for image in ros if (seconds := took(image.target, "build")) is not None}
-    packages = sum(_own(image_set, image).unpacked for image in ros if image.target not in known)
+    ros = [image for image in ordered if image.stack is None and is_built(image.target)]
+    builds = {image.target: seconds for image in ros if (seconds := measured(image.target, "build")) is not None}
+    packages = sum(_size_alone(image_set, image).unpacked for image in ros if image.target not in builds)
     tests = sum(test(image) for image in ordered if work is None or (image.target, architecture) in work.tested)
-    seconds = _divided(packages, rates.packages) + sum(known.values()) + tests
+    seconds = _divided(packages, rates.packages) + sum(builds.values()) + tests
     costs: Costs = {("distribution", distribution): seconds}
     if any(image.parent not in image_set.by_target for image in ros):
         costs["os", ordered[0].os] = _divided(image_set.matrix.disk.os.unpacked, rates.packages)
     for part in (image_set.part_by_name[name] for name in _parts(ordered)):
-        if made(part.target):
-            known_part = took(part.target, "build")
-            costs["part", part.name] = _divided(part.disk.unpacked, rates.parts) if known_part is None else known_part
+        if is_built(part.target):
+            build = measured(part.target, "build")
+            costs["part", part.name] = _divided(part.disk.unpacked, rates.parts) if build is None else build
     return Unit(distribution, ordered, costs)
 
 
 def _ordered(image_set: ImageSet, images: Iterable[Image]) -> tuple[Image, ...]:
-    """Images in build order, after the ROS images below them."""
     images = list(images)
     chains = [link for image in images for link in _chain(image_set, image)]
     return tuple({image.target: image for image in [*chains, *images]}.values())
 
 
 def _chain(image_set: ImageSet, image: Image) -> list[Image]:
-    """The ROS images below an image, lowest first, and the image itself if it is a ROS image."""
     chain = [] if image.stack else [image]
     while below := image_set.by_target.get(image.parent):
         chain.append(below)
@@ -196,8 +188,7 @@ def _chain(image_set: ImageSet, image: Image) -> list[Image]:
     return chain[::-1]
 
 
-def _own(image_set: ImageSet, image: Image) -> Size:
-    """Size of a ROS image without the image below it."""
+def _size_alone(image_set: ImageSet, image: Image) -> Size:
     below = image_set.by_target.get(image.parent)
     return image.disk - (below.disk if below else image_set.matrix.disk.os)
 
@@ -207,15 +198,13 @@ def _parts(images: Iterable[Image]) -> tuple[str, ...]:
 
 
 def _divided(megabytes: int, rate: int) -> int:
-    """Seconds, rounded up, since whole numbers compare the same on every machine."""
-    return math.ceil(megabytes / rate)
+    return math.ceil(megabytes / rate)  # whole numbers compare the same on every machine
 
 
 # ---- Shards ----------------------------------------------------------------------------------------------------------
 
 
 def _seconds(units: Iterable[Unit], elsewhere: Collection[str] = ()) -> int:
-    """Time of units on one machine, in seconds. Shared items count once, parts that another machine builds not at all."""
     costs: Costs = {}
     for unit in units:
         costs |= unit.costs
@@ -238,7 +227,6 @@ def _shares(units: dict[str, list[Unit]], shards: int) -> dict[str, int]:
 
 
 def _dealt(image_set: ImageSet, architecture: str, units: list[Unit], share: int) -> list[Shard]:
-    """An architecture's shards, longest first; within a shard in the order of the matrix."""
     position = {unit.distribution: index for index, unit in enumerate(units)}
     contents = [sorted(shard, key=lambda unit: position[unit.distribution]) for shard in _spread(units, share)]
     contents = sorted(contents, key=lambda shard: (-_seconds(shard), position[shard[0].distribution]))
@@ -251,19 +239,20 @@ def _spread(units: list[Unit], share: int) -> list[list[Unit]]:
     """Deals units, the longest first, to the shard that finishes first with it; of equal ones, to where it adds
     least."""
     shards: list[list[Unit]] = [[] for _ in range(share)]
-    known: list[Costs] = [{} for _ in range(share)]
+    shared: list[Costs] = [{} for _ in range(share)]
     loads = [0] * share
     for unit in sorted(units, key=lambda unit: -sum(unit.costs.values())):
-        growths = [sum(cost for key, cost in unit.costs.items() if key not in costs) for costs in known]
+        growths = [sum(cost for key, cost in unit.costs.items() if key not in costs) for costs in shared]
         best = min(range(share), key=lambda index: (loads[index] + growths[index], growths[index]))
         shards[best].append(unit)
-        known[best] |= unit.costs
+        shared[best] |= unit.costs
         loads[best] += growths[best]
     return shards
 
 
 def _elsewhere(shards: Sequence[Sequence[Unit]]) -> list[set[str]]:
-    """For each shard the names of the parts that another one builds: the longest part goes to the shard that has least to build."""
+    """For each shard the names of the parts that another one builds: the longest part goes to the shard that has
+    least to build."""
     needed: dict[str, list[int]] = {}
     seconds = dict[str, int]()
     for index, units in enumerate(shards):
@@ -289,7 +278,7 @@ def _shard(
     systems = {image.os for image in images}
     sizes = [
         *(image_set.matrix.disk.os for _ in systems),
-        *(_own(image_set, image) for image in images if image.stack is None),
+        *(_size_alone(image_set, image) for image in images if image.stack is None),
         *(image_set.part_by_name[name].disk for name in parts),
     ]
     return Shard(

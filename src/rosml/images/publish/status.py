@@ -14,7 +14,8 @@ from rosml.base.clock import TIME, is_ahead, is_date
 from rosml.images.image_set import missing
 from rosml.images.image_set.missing import UNLOCKED
 from rosml.images.image_set.model import Image, Part, repository_of, tags_of
-from rosml.images.publish.state import ELSEWHERE, WAITING, Item, State
+from rosml.images.publish.items import ELSEWHERE, WAITING, Item, Key
+from rosml.images.publish.state import State
 from rosml.images.records.store import Entry, date_of
 
 STATES = {
@@ -40,14 +41,12 @@ class ImageStatus:
     """The state of an image.
 
     Attributes:
-        target: bake target.
         state: one of STATES.
         reason: why the image is not published in its present form.
         tag: the main tag, with the repository.
         digest: the index behind the tag; empty if there is none.
         date: of the run that made the index; empty if unknown.
         age: seconds since then.
-        platforms: of the index.
         log: the last lines of what failed, from the records.
     """
 
@@ -62,91 +61,75 @@ class ImageStatus:
     log: str = ""
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return {**vars(self), "platforms": list(self.platforms)}
 
 
 def read(state: State, now: str) -> Iterator[ImageStatus]:
-    """The state of every requested image and part.
-
-    Args:
-        state: what is known of them.
-        now: the time from which ages count, in the format of a run's date.
-    """
+    """The state of every requested image and part. Ages count from `now`, in the format of a run's date."""
     for thing in state.things():
         repository, main = repository_of(thing), tags_of(thing)[0]
-        found = state.place.client.manifest(state.place.path(repository), main)
-        date = date_of(found)
-        members = found.members if found else []
-        platforms = tuple((item.platform and item.platform.architecture) or "" for item in members)
-        made, today = _time(date), _time(now)
-        stands, reason = _stands(state, thing, found.digest if found else "")
-        if odd := _odd(date, now):
-            reason = f"{reason}; {odd}" if reason else odd
+        index = state.place.client.manifest(state.place.path(repository), main)
+        date, digest = date_of(index), index.digest if index else ""
+        published, today = _time(date), _time(now)
+        name, reason = _state(state, thing, digest)
         yield ImageStatus(
             thing.target,
-            stands,
-            reason,
+            name,
+            "; ".join(filter(None, (reason, _wrong_date(date, now)))),
             f"{repository}:{main}",
-            found.digest if found else "",
+            digest,
             date,
-            (today - made).total_seconds() if made and today else None,
-            platforms,
-            _log(state, thing) if stands == "failed" else "",
+            (today - published).total_seconds() if published and today else None,
+            tuple((item.platform and item.platform.architecture) or "" for item in (index.members if index else ())),
+            _log(state, thing) if name == "failed" else "",
         )
 
 
-def _stands(state: State, thing: Image | Part, tagged: str) -> tuple[str, str]:
+def _state(state: State, thing: Image | Part, tagged: str) -> tuple[str, str]:
+    """The state of an image whose main tag points at a digest, and why."""
     members = state.members(thing)
     index = state.index_of(thing)
-    still = f"its tags were moved back on {index.held[:10]}" if index and index.held else "its tags have not moved yet"
-    entries = [entry for key in members if (entry := state.known.get(key))]
-    failures = [f"{e.architecture}: {_reason(e)}" for e in entries if e.failed and not _over(state, e)]
-    if failures:
+    entries = [entry for key in members if (entry := state.entries.get(key))]
+    if failures := [f"{entry.architecture}: {_reason(entry)}" for entry in entries if _has_failed(state, entry)]:
         return "failed", "; ".join(failures)
     lacking = sum(len(missing.on(thing, architecture)) for _, architecture in members)
     if lacking and not tagged:
         if isinstance(thing, Image) and thing.damaged:
             return UNLOCKED, missing.reason(thing)
         return UNLOCKED, f"{lacking} of its locks are missing"
-    why = [f"{key[1]}: {_first(state, key)}" for key in members if _first(state, key)]
-    if index and index.failed and all(item.endswith(ELSEWHERE) for item in why):
+    why = [f"{key[1]}: {reason}" for key in members if (reason := _first_reason(state, key))]
+    only_elsewhere = all(reason.endswith(ELSEWHERE) for reason in why)
+    if index and index.failed and only_elsewhere:
         return "failed", _reason(index)
-    if tagged:
-        current = index and index.digest == tagged and all(index.parts.get(e.architecture) == e.digest for e in entries)
-        if current and all(item.endswith(ELSEWHERE) for item in why):
-            absent = [item.partition(":")[0] for item in why]
-            return "published", f"not published: {', '.join(absent)}" if absent else ""
-        return "outdated", "; ".join(why or _unproven(state, members)) or still
-    hindered = [state.task(state.by_key[key]).hindered for key in members]
-    if all(hindered) and (waiting := [reason for reason in hindered if reason.startswith(WAITING)]):
-        return WAITING, waiting[0].removeprefix(WAITING).lstrip(": ")
-    return "missing", "; ".join(why or _unproven(state, members)) or still
+    has_all = index and all(index.parts.get(entry.architecture) == entry.digest for entry in entries)
+    if tagged and index and index.digest == tagged and has_all and only_elsewhere:
+        absent = [reason.partition(":")[0] for reason in why]
+        return "published", f"not published: {', '.join(absent)}" if absent else ""
+    if not tagged:
+        hindered = [state.task(state.by_key[key]).hindered for key in members]
+        if all(hindered) and (waiting := [reason for reason in hindered if reason.startswith(WAITING)]):
+            return WAITING, waiting[0].removeprefix(WAITING).lstrip(": ")
+    still = f"its tags were moved back on {index.held[:10]}" if index and index.held else "its tags have not moved yet"
+    return "outdated" if tagged else "missing", "; ".join(why or _unproven(state, members)) or still
 
 
-def _unproven(state: State, members: Sequence[tuple[str, str]]) -> list[str]:
+def _unproven(state: State, members: Sequence[Key]) -> list[str]:
     """Why shared tests in other images prove nothing for an image, by architecture."""
-    items = [state.by_key[key] for key in members if key in state.known]
-    return [f"{item.architecture}: {why}" for item in items if item.kind != "part" and (why := state.unproven(item))]
+    items = [state.by_key[key] for key in members if key in state.entries and state.by_key[key].kind != "part"]
+    return [f"{item.architecture}: {why}" for item in items if (why := state.tests.unproven(item))]
 
 
 def _log(state: State, thing: Image | Part) -> str:
     """The log of a failure in the records, if it is more than a line."""
-    entries = (entry for key in state.members(thing) if (entry := state.known.get(key)))
-    texts = (entry.failed.get("reason", "") for entry in entries if not _over(state, entry))
+    entries = (entry for key in state.members(thing) if (entry := state.entries.get(key)))
+    texts = (entry.failed["reason"] for entry in entries if _has_failed(state, entry) and "reason" in entry.failed)
     return next((text for text in texts if "\n" in text), "")
 
 
 @dataclass(frozen=True)
 class Cause:
-    """Why some images are not published in their present form.
-
-    Attributes:
-        state: one of STATES.
-        reason: what the images have in common.
-        targets: bake targets.
-        log: the last lines of what failed, of one image.
-    """
+    """Why some images are not published in their present form: their state, and what they have in common. `log` has the
+    last lines of what failed, of one image."""
 
     state: str
     reason: str
@@ -161,29 +144,24 @@ OPEN = ("failed", "outdated", "missing")
 """The states of images that another run may publish."""
 
 
-def causes(found: Sequence[ImageStatus], architectures: Iterable[str]) -> list[Cause]:
+def causes(statuses: Sequence[ImageStatus], architectures: Iterable[str]) -> list[Cause]:
     """Groups the images that are not published in their present form by state and reason. Failures and large groups
-    come first.
-
-    Args:
-        found: the state of each image.
-        architectures: names that do not count in reasons, so that one fault on all architectures is one cause.
-    """
+    come first. Names of architectures do not count, so that one fault on all architectures is one cause."""
     names = re.compile(rf"(?:(?<=^)|(?<=; ))(?:{'|'.join(map(re.escape, architectures))}): ")
     groups: dict[tuple[str, str], list[ImageStatus]] = {}
-    for item in found:
-        if item.state != "published":
-            reason = "" if item.state == UNLOCKED else _FOR.sub("", names.sub("", item.reason))
+    for image in statuses:
+        if image.state != "published":
+            reason = "" if image.state == UNLOCKED else _FOR.sub("", names.sub("", image.reason))
             parts = dict.fromkeys(UNLOCKED if part.startswith(UNLOCKED) else part for part in reason.split("; "))
             if len(parts) > 1:
                 parts.pop(ELSEWHERE, None)  # a publishing run has machines of all architectures
-            groups.setdefault((item.state, "; ".join(parts)), []).append(item)
-    made = (
-        Cause(state, reason, tuple(x.target for x in items), next((x.log for x in items if x.log), ""))
-        for (state, reason), items in groups.items()
+            groups.setdefault((image.state, "; ".join(parts)), []).append(image)
+    grouped = (
+        Cause(state, reason, tuple(x.target for x in images), next((x.log for x in images if x.log), ""))
+        for (state, reason), images in groups.items()
     )
     order = [*STATES]
-    return sorted(made, key=lambda cause: (cause.state != "failed", order.index(cause.state), -len(cause.targets)))
+    return sorted(grouped, key=lambda cause: (cause.state != "failed", order.index(cause.state), -len(cause.targets)))
 
 
 def ahead(state: State) -> dict[str, int]:
@@ -193,24 +171,24 @@ def ahead(state: State) -> dict[str, int]:
     for item in state.items:
         if missing.on(item.thing, item.architecture) or (serve and item.architecture not in serve):
             continue
-        if state.reasons(item):
-            counts[item.making] += 1
-        if item.kind != "part" and (state.reasons(item) or not state.passed(item, state.known[item.key])):
+        outdated = bool(state.reasons(item))
+        counts[item.making] += outdated
+        if item.kind != "part" and (outdated or not state.tests.passed(item, state.entries[item.key])):
             counts["test"] += 1
     return {name: counts[name] for name in ("build", "join", "test") if counts[name]}
 
 
-def _odd(date: str, now: str) -> str:
-    """What is wrong with the date of an index; empty if nothing is."""
+def _wrong_date(date: str, now: str) -> str:
     if date and not is_date(date):
         return f"its date is not valid: {date[:40]!r}"
     return f"its date {date} is in the future" if date and is_ahead(date, now) else ""
 
 
-def _over(state: State, entry: Entry) -> bool:
-    """Whether a failure is over: the item is up to date, because the change that broke it was reverted."""
+def _has_failed(state: State, entry: Entry) -> bool:
+    """Whether the last step failed, and the change that broke it was not reverted since."""
     item = state.by_key[entry.target, entry.architecture]
-    return state.made(item.key) and (item.kind == "part" or state.passed(item, entry))
+    reverted = state.is_current(item.key) and (item.kind == "part" or state.tests.passed(item, entry))
+    return bool(entry.failed) and not reverted
 
 
 def _reason(entry: Entry) -> str:
@@ -218,40 +196,41 @@ def _reason(entry: Entry) -> str:
     return next(iter(entry.failed.get("reason", "").splitlines()), "unknown reason")
 
 
-def _first(state: State, key: tuple[str, str]) -> str:
+def _first_reason(state: State, key: Key) -> str:
     """The first reason why an item is not up to date; empty if it is."""
-    task = state.task(state.by_key[key])
-    if found := _broken(state, state.by_key[key]):
-        return found
-    if task.hindered and key not in state.known:
+    item = state.by_key[key]
+    task = state.task(item)
+    if failure := _failure_below(state, item):
+        return failure
+    if task.hindered and key not in state.entries:
         return task.hindered
     if task.hindered == ELSEWHERE:
-        return _late(state, state.by_key[key])
-    if task.hindered and state.made(key):  # this machine could not build it, but it is up to date
+        return _outdated(state, item)
+    if task.hindered and state.is_current(key):  # this machine could not build it, but it is up to date
         return ""
     return task.why[0] if task.why else task.hindered
 
 
-def _broken(state: State, item: Item) -> str:
+def _failure_below(state: State, item: Item) -> str:
     """What failed below an item in the last run that built it, so that the item waits; empty if nothing did."""
     for target in item.needs:
         need = state.by_key[target, item.architecture]
-        if state.made(need.key):
+        if state.is_current(need.key):
             continue
-        failed = state.known[need.key].failed if need.key in state.known else {}
+        failed = state.entries[need.key].failed if need.key in state.entries else {}
         if failed.get("step") == need.making:
             return f"{need.making} of {target} failed"
-        if found := _broken(state, need):
-            return found
+        if failure := _failure_below(state, need):
+            return failure
     return ""
 
 
-def _late(state: State, item: Item) -> str:
+def _outdated(state: State, item: Item) -> str:
     """Why an item, or something below it, is out of date, whatever machine can build it; empty if all are up to
     date."""
-    if own := state.reasons(item):
-        return own[0]
-    below = (target for target in item.needs if _late(state, state.by_key[target, item.architecture]))
+    if reasons := state.reasons(item):
+        return reasons[0]
+    below = (target for target in item.needs if _outdated(state, state.by_key[target, item.architecture]))
     return next((f"{target} is rebuilt" for target in below), "")
 
 
@@ -273,7 +252,7 @@ def age(seconds: float | None) -> str:
     return f"{max(0, int(seconds))} s"
 
 
-def as_json(found: list[ImageStatus]) -> str:
+def as_json(statuses: list[ImageStatus]) -> str:
     """The states of images as JSON, with the count of each state."""
-    counts = Counter(item.state for item in found)
-    return json.dumps({"counts": dict(counts), "images": [item.to_json() for item in found]}, indent=2)
+    counts = Counter(image.state for image in statuses)
+    return json.dumps({"counts": dict(counts), "images": [image.to_json() for image in statuses]}, indent=2)

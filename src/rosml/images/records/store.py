@@ -24,10 +24,7 @@ from rosml.registry.oci import Manifest
 from rosml.registry.place import Place
 
 INPUTS = "io.rosml.inputs"
-
 DATE = "io.rosml.date"
-
-
 ARTIFACT = "application/vnd.rosml.records.v1+json"
 ANNOTATION = "io.rosml.records"
 LAYER = "application/json"
@@ -45,26 +42,24 @@ CREATED = "org.opencontainers.image.created"
 
 @dataclass(frozen=True)
 class Entry:
-    """An image, or part, on one architecture.
+    """An image, or part, on one architecture. A field is empty if nothing is known about it.
 
     Attributes:
         target: bake target.
         architecture: such as `amd64`, or INDEX.
-        inputs: the inputs digest; empty if nothing was made yet.
-        package_state: state of the package repositories that its packages came from; empty if it does not depend on
-            any.
+        inputs: the inputs digest.
+        package_state: state of the package repositories that its packages came from.
         repository: without the registry's prefix.
         digest: of the image manifest or index; empty if nothing was made yet.
         parts: digests by target of what the image was joined from or built on; of an index, its images by architecture.
         size: bytes of the layers, compressed.
-        unpacked: bytes of the root file system; 0 if unknown.
-        tested: digest of the tests that ran; empty before.
+        unpacked: bytes of the root file system.
+        tested: digest of the tests that ran.
         passed: how many tests passed.
-        failures: the tests that failed.
         provenance: digests of the provenance statements, by builder.
         sbom: for a ROS image or part, digest of the artifact with its SBOM.
         described: for a ROS image or part, `contents.FORMAT` of what is attached to it.
-        scanned: outcome of the scan; empty before.
+        scanned: outcome of the scan.
         scan: findings by severity, the worst of them by name, the digest and date of the database, and the digest of the
             policy.
         versions: of packages and programs found in the image.
@@ -72,7 +67,7 @@ class Entry:
         date: of the run that made it.
         changed: date of the run that wrote this entry.
         held: for an index, when its tags were moved back. It gets no more tags.
-        failed: the step that failed last, and why; empty if none did.
+        failed: the step that failed last, and why.
         superseded: earlier digests, which may still be in the registry.
         signed: for an index, when it was signed, by the signature's identity.
     """
@@ -107,20 +102,18 @@ class Entry:
 
     @property
     def tag(self) -> str:
-        """The entry's tag in the repository of the records."""
         return tag(self.target, self.architecture)
 
-    def made(self, digest: str, **facts: Any) -> Entry:
+    def with_digest(self, digest: str, **facts: Any) -> Entry:
         """The entry after a build, join or index. If the digest is the same as before, the earlier facts about it
         stay."""
         if digest == self.digest:
             return replace(self, failed={}, **facts)
-        old = (*self.superseded, *((self.digest,) if self.digest else ()))
-        fresh = Entry(self.target, self.architecture, digest=digest, superseded=tuple(x for x in old if x != digest))
-        return replace(fresh, **facts)
+        earlier = (*self.superseded, *((self.digest,) if self.digest else ()))
+        superseded = tuple(each for each in earlier if each != digest)
+        return replace(Entry(self.target, self.architecture, digest=digest, superseded=superseded), **facts)
 
     def to_json(self) -> dict[str, Any]:
-        """As plain data, without empty values."""
         # Its values are plain already; dataclasses.asdict would copy each of them.
         return {item.name: value for item in fields(self) if (value := getattr(self, item.name))}
 
@@ -145,19 +138,11 @@ _ADAPTER = adapter(Entry)
 
 
 class _Inputs(Shape):
-    """The inputs in the layer of an entry."""
-
     inputs: dict[str, str]
 
 
 class Records:
-    """The entries of a registry.
-
-    Attributes:
-        place: the registry.
-        registry: its client.
-        repository: the path of the repository with the records.
-    """
+    """The entries of a registry. `repository` is the path of the repository that has them."""
 
     def __init__(self, place: Place) -> None:
         self.place = place
@@ -166,44 +151,40 @@ class Records:
 
     def read(self, target: str, architecture: str) -> Entry | None:
         """The entry of an image on an architecture; None if there is none, or it cannot be read."""
-        found = self.registry.manifest(self.repository, tag(target, architecture))
-        if found is None:
+        manifest = self.registry.manifest(self.repository, tag(target, architecture))
+        if manifest is None:
             return None
         try:
-            entry = parse(untrusted.json_value(found.annotations.get(ANNOTATION, "")))
+            entry = parse(untrusted.json_value(manifest.annotations.get(ANNOTATION, "")))
         except ValueError:
             return None
         return entry if entry and (entry.target, entry.architecture) == (target, architecture) else None
 
-    def read_all(self, wanted: Iterable[tuple[str, str]]) -> dict[tuple[str, str], Entry]:
+    def read_all(self, keys: Iterable[tuple[str, str]]) -> dict[tuple[str, str], Entry]:
         """Entries by target and architecture, without those that are missing. Many are looked for in the list of tags first: one
         request for a thousand of them, instead of one for each that is missing."""
-        keys = list(wanted)
+        keys = list(keys)
         if len(keys) > FEW:
             tags = {*self.registry.tags(self.repository)}
             keys = [key for key in keys if tag(*key) in tags]
-        found = side_by_side(lambda key: self.read(*key), keys)
-        return {key: entry for key, entry in zip(keys, found, strict=True) if entry}
+        entries = side_by_side(lambda key: self.read(*key), keys)
+        return {key: entry for key, entry in zip(keys, entries, strict=True) if entry}
 
     def inputs(self, target: str, architecture: str) -> dict[str, str]:
         """The inputs of an entry by name; empty if unknown."""
-        found = self.registry.manifest(self.repository, tag(target, architecture))
-        if found is None:
+        manifest = self.registry.manifest(self.repository, tag(target, architecture))
+        if manifest is None:
             return {}
         try:
-            (layer,) = found.layers
+            (layer,) = manifest.layers
             content = untrusted.json_value(self.registry.part(self.repository, layer))
             return _Inputs.model_validate(content).inputs
         except (KeyError, TypeError, ValueError, RosmlError):
             return {}
 
     def write(self, entry: Entry, inputs: Mapping[str, str] | None = None) -> str:
-        """Writes an entry, and replaces the earlier one. Gives the digest of its manifest.
-
-        Args:
-            entry: the facts.
-            inputs: by name; those of the earlier entry if None.
-        """
+        """Writes an entry in place of the earlier one, whose inputs stay if there are no new ones. Returns the digest of
+        its manifest."""
         if inputs is None:
             inputs = self.inputs(entry.target, entry.architecture)
         text = json.dumps(entry.to_json(), sort_keys=True)
@@ -212,11 +193,7 @@ class Records:
 
     def attach(self, entry: Entry, inputs: Mapping[str, str]) -> None:
         """Attaches an entry to its image, so that it stays when a newer entry replaces it. Attaching the same entry
-        again changes nothing.
-
-        Raises:
-            RosmlError: the image is missing; the registry does not answer or refuses.
-        """
+        again changes nothing."""
         path = self.place.path(entry.repository)
         subject = self.registry.manifest(path, entry.digest)
         if subject is None:
@@ -225,14 +202,9 @@ class Records:
         self.registry.attach(path, subject.descriptor, ARTIFACT, data, LAYER, {CREATED: entry.changed})
 
     def attached(self, repository: str, digest: str) -> Entry | None:
-        """The newest readable entry that is attached to an image and is about this image; None if there is none.
-
-        Args:
-            repository: without the registry's prefix.
-            digest: of the manifest.
-        """
+        """The newest readable entry that is attached to an image and is about this image; None if there is none."""
         path = self.place.path(repository)
-        found = []
+        entries = []
         for item in self.registry.referrers(path, digest, ARTIFACT):
             try:
                 manifest = self.registry.manifest(path, item["digest"])
@@ -241,11 +213,11 @@ class Records:
             except (KeyError, TypeError, ValueError, RosmlError):
                 continue
             if entry and (entry.repository, entry.digest) == (repository, digest):
-                found.append(entry)
-        return max(found, key=lambda entry: entry.changed, default=None)
+                entries.append(entry)
+        return max(entries, key=lambda entry: entry.changed, default=None)
 
     def artifact(self, name: str, data: bytes, annotations: Mapping[str, str]) -> str:
-        """Puts an artifact with one layer of JSON under a tag of the records. Gives the digest of its manifest.
+        """Puts an artifact with one layer of JSON under a tag of the records. Returns the digest of its manifest.
 
         The earlier artifact of the tag is removed, if the registry can do that. The registry itself collects its blobs.
         """

@@ -18,14 +18,7 @@ UNDO = "undo."
 
 @dataclass(frozen=True)
 class Move:
-    """A move of a tag.
-
-    Attributes:
-        repository: without the registry's prefix.
-        tag: the tag.
-        old: the digest before; empty if the tag did not exist.
-        new: the digest after.
-    """
+    """A move of a tag from an old digest, empty if the tag did not exist, to a new one. `repository` has no prefix."""
 
     repository: str
     tag: str
@@ -33,7 +26,6 @@ class Move:
     new: str
 
     def to_json(self) -> dict[str, str]:
-        """As plain data."""
         return dict(vars(self))
 
 
@@ -56,64 +48,32 @@ def record_name(date: str) -> str:
 
 
 def read_moves(records: Records, name: str) -> list[Move]:
-    """The moves in a record; none if there is no such record.
-
-    Raises:
-        RosmlError: the record cannot be read.
-    """
+    """The moves in a record; none if there is no such record."""
     return _read(records, name).moves
 
 
 def undone_moves(records: Records, runs: int) -> list[Move]:
-    """The moves of the last runs, as far as somebody undid these.
-
-    Raises:
-        RosmlError: a record cannot be read; the registry does not answer or refuses.
-    """
-    known = sorted(name for name in records.registry.tags(records.repository) if name.startswith(UNDO))
-    found = [_read(records, name) for name in known[-runs:]]
-    return [move for item in found if item.undone for move in item.moves]
+    """The moves of the last runs, as far as somebody undid these."""
+    last = [_read(records, name) for name in _names(records)[-runs:]]
+    return [move for record in last if record.undone for move in record.moves]
 
 
 def later_moves(records: Records, name: str) -> dict[tuple[str, str, str], str]:
     """Where runs after a record moved tags, by repository, tag and digest, each with the date of the last of these runs. Runs that
-    somebody undid do not count.
-
-    Raises:
-        RosmlError: a record cannot be read; the registry does not answer or refuses.
-    """
-    names = sorted(item for item in records.registry.tags(records.repository) if item.startswith(UNDO) and item > name)
-    runs = [_read(records, item) for item in names]
-    return {(move.repository, move.tag, move.new): run.date for run in runs if not run.undone for move in run.moves}
+    somebody undid do not count."""
+    later = [_read(records, record) for record in _names(records) if record > name]
+    return {(move.repository, move.tag, move.new): run.date for run in later if not run.undone for move in run.moves}
 
 
 def mark_undone(records: Records, name: str, date: str) -> None:
-    """Says in a record that the run is undone, before its tags move back.
-
-    Raises:
-        RosmlError: the record cannot be read; the registry does not answer or refuses.
-    """
-    found = _read(records, name)
-    if not found.undone:
-        _write(records, name, found.date, found.moves, date)
-
-
-def _read(records: Records, name: str) -> _Record:
-    found = records.registry.manifest(records.repository, name)
-    if found is None:
-        return _Record(moves=[])
-    try:
-        return _Record.model_validate(untrusted.json_value(records.registry.part(records.repository, found.layers[0])))
-    except (KeyError, TypeError, ValueError, IndexError):
-        raise RosmlError(f"the record {name} cannot be read", "move the tags by hand: regctl image copy") from None
+    """Says in a record that the run is undone, before its tags move back."""
+    content = _read(records, name)
+    if not content.undone:
+        _write(records, name, content.date, content.moves, date)
 
 
 def record(records: Records, date: str, planned: Iterable[Move]) -> None:
-    """Records where tags were before a run. If the run is called again, its first record of a tag counts.
-
-    Raises:
-        RosmlError: the earlier record cannot be read; the registry does not answer or refuses.
-    """
+    """Records where tags were before a run. If the run is called again, its first record of a tag counts."""
     name = record_name(date)
     before = {(move.repository, move.tag): move for move in read_moves(records, name)}
     merged = dict(before)
@@ -121,6 +81,21 @@ def record(records: Records, date: str, planned: Iterable[Move]) -> None:
         first = before.get((move.repository, move.tag))
         merged[move.repository, move.tag] = replace(move, old=first.old if first else move.old)
     _write(records, name, date, merged.values())
+
+
+def _names(records: Records) -> list[str]:
+    return sorted(name for name in records.registry.tags(records.repository) if name.startswith(UNDO))
+
+
+def _read(records: Records, name: str) -> _Record:
+    manifest = records.registry.manifest(records.repository, name)
+    if manifest is None:
+        return _Record(moves=[])
+    try:
+        layer = records.registry.part(records.repository, manifest.layers[0])
+        return _Record.model_validate(untrusted.json_value(layer))
+    except (KeyError, TypeError, ValueError, IndexError):
+        raise RosmlError(f"the record {name} cannot be read", "move the tags by hand: regctl image copy") from None
 
 
 def _write(records: Records, name: str, date: str, moves: Iterable[Move], undone: str = "") -> None:

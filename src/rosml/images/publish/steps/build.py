@@ -12,9 +12,9 @@ from rosml.base.errors import RosmlError
 from rosml.images.builds import contents, package_state
 from rosml.images.builds.maker import Made, Wanted
 from rosml.images.image_set.model import Part
-from rosml.images.publish.made import after
+from rosml.images.publish.items import UNDESCRIBED, Item
+from rosml.images.publish.new_entry import new_entry
 from rosml.images.publish.run import Postponed, Run
-from rosml.images.publish.state import UNDESCRIBED, Item
 from rosml.images.records.store import Entry
 
 RESTARTS = 2
@@ -30,9 +30,9 @@ def build(run: Run) -> None:
     items = sorted((item for item in run.state.items if item.kind != "joined"), key=partial(_order, run))
     if run.whole:
         _build_together(run, items)
-    for left in range(RESTARTS, -1, -1):
+    for restarts in range(RESTARTS, -1, -1):
         before = len(run.outcomes)
-        if not run.each("build", items, partial(_build, run, left > 0)):
+        if not run.each("build", items, partial(_build, run, restarts > 0)):
             return
         # Items that waited for a postponed one may be ready now, so all items are tried again.
         run.outcomes[before:] = [outcome for outcome in run.outcomes[before:] if outcome.state != "waits"]
@@ -47,24 +47,24 @@ def _order(run: Run, item: Item) -> int:
 
 
 def _build_together(run: Run, items: Sequence[Item]) -> None:
-    """Builds at once what one image is made of and what needs nothing else first. The steps find it, and record it."""
-    wanted = []
+    """Builds at once what one image is made of and what needs nothing else first. The builder has it when its step comes."""
+    builds = []
     for item in items:
         task = run.state.task(item, ahead=False)
         if not task.hindered and task.steps[:1] == ("build",) and run.state.reasons(item) != [UNDESCRIBED]:
-            wanted.append(Wanted(item.thing, item.architecture, run.parts(item), _packages(run, item)))
-    if len(wanted) > 1:
+            builds.append(Wanted(item.thing, item.architecture, run.parts(item), _packages(run, item)))
+    if len(builds) > 1:
         started = time.monotonic()
-        run.maker.build_together(wanted)
-        share = (time.monotonic() - started) / len(wanted)
-        run.beforehand |= {one.key: share for one in wanted}
+        run.maker.build_together(builds)
+        share = (time.monotonic() - started) / len(builds)
+        run.beforehand |= {each.key: share for each in builds}
 
 
 def _packages(run: Run, item: Item) -> str:
     """The state of an image's package repositories; if they did not answer, that of its last build. Empty for a part."""
     if isinstance(item.thing, Part):
         return ""
-    entry = run.state.known.get(item.key)
+    entry = run.state.entries.get(item.key)
     return run.state.package_state.get(item.thing.distribution, entry.package_state if entry else "")
 
 
@@ -75,48 +75,43 @@ def _build(run: Run, may_restart: bool, item: Item, entry: Entry) -> Entry:
         return replace(entry, sbom=sbom, described=contents.FORMAT, failed={})
     started = now()
     if isinstance(item.thing, Part):
-        made = run.maker.build_part(item.thing, item.architecture)
+        output = run.maker.build_part(item.thing, item.architecture)
     else:
         packages = _packages(run, item)
         try:
-            made = run.maker.build_image(item.thing, item.architecture, run.parts(item), packages)
+            output = run.maker.build_image(item.thing, item.architecture, run.parts(item), packages)
         except RosmlError:
             if may_restart:
-                _ask_again(run, item.thing.distribution, packages)
+                _postpone_if_packages_moved(run, item.thing.distribution, packages)
             raise
-    run.pushed += _new_bytes(run, item, entry, made)
-    return after(run, item, entry, made, started)
+    run.pushed += _new_bytes(run, item, entry, output)
+    return new_entry(run, item, entry, output, started)
 
 
-def _ask_again(run: Run, distribution: str, before: str) -> None:
-    """Asks, after a build failed, whether ROS published new packages since the plan was made.
-
-    Raises:
-        Postponed: it did, and the distribution has to be built from these.
-    """
+def _postpone_if_packages_moved(run: Run, distribution: str, before: str) -> None:
+    """After a build failed: if ROS published new packages since the plan was made, the distribution is built from these."""
     state = run.state
     try:
-        found = package_state.state(state.request.services, state.image_set.matrix, distribution)
+        current = package_state.state(state.request.services, state.image_set.matrix, distribution)
     except RosmlError:  # the error of the build says more
         return
-    if package_state.ros_date(found) > package_state.ros_date(before):
-        state.package_state[distribution] = found
+    if package_state.ros_date(current) > package_state.ros_date(before):
+        state.package_state[distribution] = current
         raise Postponed(
-            f"ROS published new packages of {distribution} meanwhile ({found}); its images are built from these"
+            f"ROS published new packages of {distribution} meanwhile ({current}); its images are built from these"
         )
 
 
-def _new_bytes(run: Run, item: Item, before: Entry, made: Made) -> int:
+def _new_bytes(run: Run, item: Item, before: Entry, output: Made) -> int:
     """Bytes of the new layers of an item: without the layers of its needs, and of its earlier manifest."""
-    own = _sizes(run, item, made.digest)
-    there = _sizes(run, item, before.digest)
-    for target, digest in made.parts.items():
-        there |= _sizes(run, run.state.by_key[target, item.architecture], digest)
-    return sum(size for layer, size in own.items() if layer not in there)
+    layers = _layer_sizes(run, item, output.digest)
+    present = _layer_sizes(run, item, before.digest)
+    for target, digest in output.parts.items():
+        present |= _layer_sizes(run, run.state.by_key[target, item.architecture], digest)
+    return sum(size for layer, size in layers.items() if layer not in present)
 
 
-def _sizes(run: Run, item: Item, digest: str) -> dict[str, int]:
-    """The layers of a manifest: bytes by digest; none if the manifest is not in the registry."""
+def _layer_sizes(run: Run, item: Item, digest: str) -> dict[str, int]:
     place = run.state.place
-    found = place.client.manifest(place.path(item.repository), digest) if digest else None
-    return {layer.digest: layer.size for layer in found.layers} if found else {}
+    manifest = place.client.manifest(place.path(item.repository), digest) if digest else None
+    return {layer.digest: layer.size for layer in manifest.layers} if manifest else {}

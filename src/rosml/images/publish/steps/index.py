@@ -23,18 +23,17 @@ from rosml.registry.oci import Config, Manifest
 
 def index(run: Run) -> None:
     """Makes and signs indexes, side by side: one after the other, hundreds would take hours on a distant registry."""
-    before, wanted = len(run.outcomes), list[Image | Part]()
+    before, things = len(run.outcomes), list[Image | Part]()
     for thing in run.state.things():
         if reason := run.state.unready(thing):
             run.outcomes.append(Outcome("index", thing.target, "", "waits", reason))
-        elif not _is_made(run, thing):
-            wanted.append(thing)
-    side_by_side(partial(_make, run), wanted)
+        elif not _is_current(run, thing):
+            things.append(thing)
+    side_by_side(partial(_make, run), things)
     run.put_in_order(before)
 
 
-def _is_made(run: Run, thing: Image | Part) -> bool:
-    """Whether an image's index is in the registry and up to date."""
+def _is_current(run: Run, thing: Image | Part) -> bool:
     state, entry = run.state, run.state.index_of(thing)
     if entry is None or (thing.target, INDEX) not in state.present:
         return False
@@ -43,24 +42,19 @@ def _is_made(run: Run, thing: Image | Part) -> bool:
     return state.is_of_these(thing, entry) and not entry.failed
 
 
-def _members(run: Run, thing: Image | Part) -> list[Entry]:
-    """The entries of an index's members."""
-    return [run.state.known[key] for key in run.state.members(thing)]
-
-
 def _make(run: Run, thing: Image | Part) -> None:
     """Makes and signs the index of an image, and records the result."""
     started, state = time.monotonic(), run.state
-    members, inputs = _members(run, thing), state.inputs.together(thing)
+    members, inputs = [state.entries[key] for key in state.members(thing)], state.inputs.together(thing)
     entry = state.index_of(thing) or Entry(thing.target, INDEX)
     try:
-        facts = {
-            "inputs": inputs,
-            "repository": repository_of(thing),
-            "parts": {member.architecture: member.digest for member in members},
-            "date": state.date,
-        }
-        entry = entry.made(_put(run, thing, members, inputs), **facts)
+        entry = entry.with_digest(
+            _put(run, thing, members, inputs),
+            inputs=inputs,
+            repository=repository_of(thing),
+            parts={member.architecture: member.digest for member in members},
+            date=state.date,
+        )
         reason = counted(len(members), "architecture")
     except RosmlError as error:
         entry, reason = replace(entry, failed=failure("index", error.message, error.remedy)), error.message
@@ -72,17 +66,14 @@ def _make(run: Run, thing: Image | Part) -> None:
 
 
 def _put(run: Run, thing: Image | Part, members: Sequence[Entry], inputs: str) -> str:
-    """Puts an index into the registry; gives its digest. No layer is pulled.
-
-    Raises:
-        RosmlError: the architectures differ in content; or the records name another image's manifest.
-    """
+    """Puts an index into the registry, and returns its digest. Fails if the architectures differ in content, or the
+    records name another image's manifest."""
     place = run.state.place
     repository = place.path(repository_of(thing))
     images = {entry.architecture: _image(run, repository, entry.digest) for entry in members}
     configs = {architecture: config for architecture, (_, config) in images.items()}
     for entry in members:
-        _require_own(thing, entry, configs[entry.architecture])
+        _require_title(thing, entry, configs[entry.architecture])
     versions = {entry.architecture: entry.versions for entry in members}
     released = [item.name for item in thing.brought if item.released] if isinstance(thing, Image) else []
     contents = {architecture: config.content for architecture, config in configs.items()}
@@ -99,7 +90,6 @@ def _put(run: Run, thing: Image | Part, members: Sequence[Entry], inputs: str) -
 
 
 def _image(run: Run, repository: str, digest: str) -> tuple[Manifest, Config]:
-    """A manifest and its config."""
     registry = run.state.place.client
     manifest = registry.manifest(repository, digest)
     if manifest is None:
@@ -107,44 +97,39 @@ def _image(run: Run, repository: str, digest: str) -> tuple[Manifest, Config]:
     return manifest, registry.config(repository, manifest)
 
 
-def _require_own(thing: Image | Part, entry: Entry, config: Config) -> None:
-    """Checks that the manifest of an entry is a manifest of the entry's image.
-
-    Raises:
-        RosmlError: it is not.
-    """
-    found = config.labels.get(TITLE, ""), config.facts.architecture or ""
-    if found != (title(thing), entry.architecture):
+def _require_title(thing: Image | Part, entry: Entry, config: Config) -> None:
+    """Checks that the manifest that an entry names is one of the entry's image: others may write into the registry."""
+    image, architecture = config.labels.get(TITLE, ""), config.facts.architecture or ""
+    if (image, architecture) != (title(thing), entry.architecture):
         raise RosmlError(
             f"the records' entry {entry.tag} names {entry.digest},"
-            f" which is {found[0] or 'an image without a title'} for {found[1] or 'no architecture'}",
+            f" which is {image or 'an image without a title'} for {architecture or 'no architecture'}",
             "publish it again with --force",
         )
 
 
 def _platform(config: Config) -> dict[str, str]:
-    """The platform of an image, as an index states it."""
     facts = config.facts
-    found = {"os": facts.os or "linux", "architecture": facts.architecture, "variant": facts.variant}
-    return {name: value for name, value in found.items() if value}
+    platform = {"os": facts.os or "linux", "architecture": facts.architecture, "variant": facts.variant}
+    return {name: value for name, value in platform.items() if value}
 
 
 def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
     """Annotations of an image in its index: digests of the publisher's statements and SBOMs, so that a signature of the
     index covers them."""
-    found = {provenance.COVERED: " ".join(sorted(entry.provenance.values()))} if entry.provenance else {}
+    annotations = {provenance.COVERED: " ".join(sorted(entry.provenance.values()))} if entry.provenance else {}
     item = run.state.by_key[entry.target, entry.architecture]
     for target in item.needs if item.kind == "joined" else (item.target,):
-        part = run.state.known.get((target, entry.architecture))
+        part = run.state.entries.get((target, entry.architecture))
         if part and part.sbom and part.digest == entry.parts.get(target, entry.digest):
-            found[COVERED + target] = f"{part.repository}@{part.sbom}"
-    return {"annotations": found} if found else {}
+            annotations[COVERED + target] = f"{part.repository}@{part.sbom}"
+    return {"annotations": annotations} if annotations else {}
 
 
 def _checkout(run: Run) -> dict[str, str]:
     """Annotations of an index about the checkout: its address; and its revision, unless files differ from it. Images
     have no revision, because every commit would change all of them."""
-    found = next(iter(run.source), {})
-    address, revision = found.get("uri", "").removeprefix("git+"), found.get("digest", {}).get("gitCommit", "")
-    said = {SOURCE: address, REVISION: "" if "annotations" in found else revision}
-    return {name: text for name, text in said.items() if text}
+    source = next(iter(run.source), {})
+    address, revision = source.get("uri", "").removeprefix("git+"), source.get("digest", {}).get("gitCommit", "")
+    annotations = {SOURCE: address, REVISION: "" if "annotations" in source else revision}
+    return {name: text for name, text in annotations.items() if text}

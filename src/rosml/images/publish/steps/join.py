@@ -7,9 +7,9 @@ from functools import partial
 from rosml.base.clock import now
 from rosml.images.builds.maker import Made
 from rosml.images.image_set.model import Image
-from rosml.images.publish.made import after
+from rosml.images.publish.items import Item
+from rosml.images.publish.new_entry import new_entry
 from rosml.images.publish.run import Run
-from rosml.images.publish.state import Item
 from rosml.images.records.store import Entry
 
 
@@ -30,4 +30,4 @@ def _join(run: Run, item: Item, entry: Entry) -> Entry:
     assert isinstance(item.thing, Image)
     started, parts = now(), run.parts(item)
     digest = run.maker.join(item.thing, item.architecture, parts)
-    return after(run, item, entry, Made(digest, parts), started)
+    return new_entry(run, item, entry, Made(digest, parts), started)

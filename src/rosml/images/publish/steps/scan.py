@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import time
 from collections import Counter
-from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
@@ -14,6 +13,7 @@ from typing import Any
 from rosml.images.image_set import restricted
 from rosml.images.image_set.expand import expand
 from rosml.images.image_set.model import ImageSet
+from rosml.images.publish.items import Item, Key
 from rosml.images.publish.run import Outcome, Run
 from rosml.images.publish.state import State
 from rosml.images.records.store import Entry
@@ -32,59 +32,39 @@ def scan(
     results: Results | None = None,
 ) -> judge.Run:
     """Scans all images in the registry, on all architectures: a scan reads only the registry. Each result is recorded
-    at once, so that it is kept if the run ends early.
-
-    If an image was clean by the same policy and the same database before, it is not scanned again.
+    at once, so that it is kept if the run ends early. An image that was clean by the same policy and the same database
+    is not scanned again.
 
     Args:
-        run: the run.
-        rules: the policy.
         trivy: the scanner, with its database; or why there is none.
         reports: a folder for a SARIF file of each image.
         results: takes the results. Then nothing is written into the registry.
     """
-    state, policy, database = run.state, policy_digest(rules, run.state.date), _database(trivy)
+    state, policy = run.state, policy_digest(rules, run.state.date)
 
-    def keep(found: judge.Scanned) -> None:
-        facts = {
-            "policy": policy,
-            "database": found.database.digest if found.database else "",
-            "updated": found.database.updated if found.database else "",
-            "packages": found.packages,
-            "findings": dict(Counter(finding.severity for finding in found.findings)),
-            "failing": sorted({finding.id for finding in found.failing}),
-            "named": found.named,
-        }
-        key = found.target, found.architecture
-        entry = replace(state.known[key], scanned=found.outcome.value, scan=facts, changed=state.date)
+    def keep(scanned: judge.Scanned) -> None:
+        key = scanned.target, scanned.architecture
+        facts = _facts(scanned, policy)
+        entry = replace(state.entries[key], scanned=scanned.outcome.value, scan=facts, changed=state.date)
         if results is None:
             run.write(state.by_key[key], entry)
         else:
             results.add(entry)
 
-    wanted = _wanted(run, lambda entry: _is_clean(entry, policy, database))
-    # Missing images do not count: they may lack a lock, or have restricted parts that may not go to this registry.
-    there = {item.key for item in state.items if item.kind != "part"} & state.present
-    whole = wanted.keys() == there and not _others(state)
+    images = _images(state, policy, _database(trivy))
     started, date, targets = time.monotonic(), _time(state.date), state.image_set.by_target
-    missing = left_out(state.image_set)
-    images = list(wanted.values())
+    whole, missing = _is_whole(state, images), left_out(state.image_set)
     if isinstance(trivy, ScannerFailed):
-        found = judge.summarise(judge.unscanned(images, trivy, keep), rules, date.date(), whole, targets, missing)
+        unscanned = judge.unscanned([*images.values()], trivy, keep)
+        verdict = judge.summarise(unscanned, rules, date.date(), whole, targets, missing)
     else:
         facts: dict[str, Any] = {"now": date, "whole": whole, "targets": targets, "left_out": missing}
-        shelf = Shelf(state.place.client, {entry.digest: entry.sbom for entry in state.known.values() if entry.sbom})
-        found = judge.scan_images(images, rules, trivy, shelf, **facts, say=run.say, keep=keep)
-    seconds = (time.monotonic() - started) / max(1, len(found.images))
-    for image in found.images:
-        clean = image.outcome is judge.Outcome.CLEAN
-        reason = image.reason if clean else f"{image.outcome.value}: {image.reason}"
-        key = image.target, image.architecture
-        run.outcomes.append(Outcome("scan", *key, "done" if clean else "failed", reason, seconds))
+        shelf = Shelf(state.place.client, {entry.digest: entry.sbom for entry in state.entries.values() if entry.sbom})
+        verdict = judge.scan_images([*images.values()], rules, trivy, shelf, **facts, say=run.say, keep=keep)
+    run.outcomes += _outcomes(verdict, time.monotonic() - started)
     if reports:
-        sarif.write(reports, found)
-    run.outcomes += [Outcome("scan", "policy", "", "failed", problem) for problem in found.problems]
-    return found
+        sarif.write(reports, verdict)
+    return verdict
 
 
 def left_out(image_set: ImageSet) -> set[str]:
@@ -92,35 +72,62 @@ def left_out(image_set: ImageSet) -> set[str]:
     return set(expand(image_set.base).by_target) - set(image_set.by_target) if image_set.base else set()
 
 
-def _others(state: State) -> set[str]:
-    """The targets that this registry may have, and that were not requested."""
+def _facts(scanned: judge.Scanned, policy: str) -> dict[str, Any]:
+    """What an entry says about a scan."""
+    return {
+        "policy": policy,
+        "database": scanned.database.digest if scanned.database else "",
+        "updated": scanned.database.updated if scanned.database else "",
+        "packages": scanned.packages,
+        "findings": dict(Counter(finding.severity for finding in scanned.findings)),
+        "failing": sorted({finding.id for finding in scanned.failing}),
+        "named": scanned.named,
+    }
+
+
+def _outcomes(verdict: judge.Run, seconds: float) -> list[Outcome]:
+    outcomes = []
+    for image in verdict.images:
+        clean = image.outcome is judge.Outcome.CLEAN
+        reason = image.reason if clean else f"{image.outcome.value}: {image.reason}"
+        share = seconds / len(verdict.images)
+        outcomes.append(Outcome("scan", image.target, image.architecture, "done" if clean else "failed", reason, share))
+    return outcomes + [Outcome("scan", "policy", "", "failed", problem) for problem in verdict.problems]
+
+
+def _is_whole(state: State, images: dict[Key, judge.Image]) -> bool:
+    """Whether a scan covers all that this registry may have. Missing images do not count: they may lack a lock, or have
+    restricted parts that may not go to this registry."""
+    present = {item.key for item in state.items if item.kind != "part"} & state.present
     every, place = state.image_set.images, state.place
     refused, _ = restricted.refused(state.image_set, every, place.client.host, place.prefix)
-    return {image.target for image in every} - {image.target for image in state.images} - refused.keys()
+    not_requested = {image.target for image in every} - {image.target for image in state.images} - refused.keys()
+    return images.keys() == present and not not_requested
 
 
-def _wanted(run: Run, clean: Callable[[Entry], bool]) -> dict[tuple[str, str], judge.Image]:
+def _images(state: State, policy: str, database: str) -> dict[Key, judge.Image]:
     """The images to scan, by target and architecture."""
-    state, found = run.state, dict[tuple[str, str], judge.Image]()
+    images = dict[Key, judge.Image]()
     for item in state.items:
-        entry = state.known.get(item.key)
-        if item.kind == "part" or entry is None or not entry.digest or item.key not in state.present or clean(entry):
+        entry = state.entries.get(item.key)
+        if item.kind == "part" or entry is None or not entry.digest or item.key not in state.present:
             continue
-        needs = item.needs if item.kind == "joined" else (item.target,)
-        parts = tuple(_part(state, target, item.architecture) for target in needs)
-        found[item.key] = judge.Image(*item.key, parts)
-    return found
+        if not _is_clean(entry, policy, database):
+            needs = item.needs if item.kind == "joined" else (item.target,)
+            images[item.key] = judge.Image(
+                *item.key, tuple(_part(state, state.by_key[target, item.architecture]) for target in needs)
+            )
+    return images
 
 
-def _part(state: State, target: str, architecture: str) -> judge.Part:
-    """A finished ROS image or part, as a scan knows it."""
-    part, place = state.by_key[target, architecture], state.place
-    digest = state.known[part.key].digest
-    return judge.Part(target, place.client.host, place.path(part.repository), digest, part.kind == "ros")
+def _part(state: State, item: Item) -> judge.Part:
+    place = state.place
+    repository, digest = place.path(item.repository), state.entries[item.key].digest
+    return judge.Part(item.target, place.client.host, repository, digest, item.kind == "ros")
 
 
 def _is_clean(entry: Entry, policy: str, database: str) -> bool:
-    """Whether an image was found clean by a policy and a database before."""
+    """Whether an image was clean by the same policy and database before."""
     same = database and entry.scan.get("policy") == policy and entry.scan.get("database") == database
     return bool(same and entry.scanned == judge.Outcome.CLEAN.value)
 
@@ -140,5 +147,4 @@ def policy_digest(rules: Rules, date: str) -> str:
 
 
 def _time(date: str) -> datetime:
-    """The date of a run as a time."""
     return datetime.fromisoformat(date.replace("Z", "+00:00"))

@@ -8,21 +8,16 @@ from functools import partial
 
 from rosml.base.problems import some
 from rosml.images.image_set.model import Image
+from rosml.images.publish.items import Item
 from rosml.images.publish.run import Run, failure
-from rosml.images.publish.state import Item
 from rosml.images.records.store import Entry
 
 
 def test(run: Run, targets: Sequence[str] = ()) -> None:
-    """Tests images. An image that failed in this run is tested again only in the next one.
-
-    Args:
-        run: the run.
-        targets: test only these; all if empty.
-    """
+    """Tests all images, or those of some targets. An image that failed in this run is tested again only in the next one."""
     failed = {(it.target, it.architecture) for it in run.outcomes if (it.step, it.state) == ("test", "failed")}
-    wanted = [i for i in run.state.items if i.kind != "part" and (not targets or i.target in targets)]
-    run.each("test", [item for item in wanted if item.key not in failed], partial(_test, run))
+    items = [item for item in run.state.items if item.kind != "part" and item.key not in failed]
+    run.each("test", [item for item in items if not targets or item.target in targets], partial(_test, run))
 
 
 def test_at_once(run: Run, item: Item) -> None:
@@ -34,15 +29,15 @@ def test_at_once(run: Run, item: Item) -> None:
 
 def _test(run: Run, item: Item, entry: Entry) -> Entry:
     assert isinstance(item.thing, Image)
-    names = run.state.tests(item)
-    found = run.maker.test(item.thing, item.architecture, entry.digest, run.parts(item), names)
-    reason = f"tests failed: {some(list(found.failures))}\n{found.said}".strip()
+    names = run.state.tests.to_run(item)
+    report = run.maker.test(item.thing, item.architecture, entry.digest, run.parts(item), names)
+    reason = f"tests failed: {some(list(report.failures))}\n{report.said}".strip()
     return replace(
         entry,
-        tested=run.state.digest_of(item, names),
-        passed=found.passed,
-        failures=found.failures,
-        unpacked=found.unpacked,
-        versions=found.versions,
-        failed=failure("test", reason) if found.failures else {},
+        tested=run.state.tests.digest(item, names),
+        passed=report.passed,
+        failures=report.failures,
+        unpacked=report.unpacked,
+        versions=report.versions,
+        failed=failure("test", reason) if report.failures else {},
     )
