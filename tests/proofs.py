@@ -53,7 +53,7 @@ PROOFS = {
         15,
         tests=(
             "tests/unit/images/test_matrix.py",
-            "tests/unit/images/test_plan.py",
+            "tests/unit/images/publish/test_plan.py",
             "tests/unit/run/test_run_words.py",
             "tests/unit/cli/test_parsers.py",
         ),

@@ -61,8 +61,8 @@ class MemoryRegistry(Registry):
     """Repositories by path.
 
     Attributes:
-        writes: how many there were. reads: how many requests that change nothing; those for what is attached count twice,
-            as a registry without the API gets them. uploaded: bytes of them. die_at: the write, counted from 1, at which the process ends; before it takes effect, or after.
+        writes, reads: how many requests; those for attached artifacts count twice, as a registry without the API gets them.
+        uploaded: bytes. die_at: the write, counted from 1, at which the process ends; before it takes effect, or after.
         refuses: methods that fail.
     """
 
@@ -83,9 +83,9 @@ class MemoryRegistry(Registry):
 
     def copy(self) -> MemoryRegistry:
         """A registry with the same content; what is written into one is not in the other."""
-        manifests = {repository: dict(found) for repository, found in self.manifests.items()}
-        blobs = {repository: dict(found) for repository, found in self.blobs.items()}
-        names = {repository: dict(found) for repository, found in self.names.items()}
+        manifests = {repository: dict(content) for repository, content in self.manifests.items()}
+        blobs = {repository: dict(content) for repository, content in self.blobs.items()}
+        names = {repository: dict(content) for repository, content in self.names.items()}
         return MemoryRegistry(manifests, blobs, names, self.writes, self.reads, self.uploaded)
 
     @contextmanager
@@ -123,8 +123,8 @@ class MemoryRegistry(Registry):
             return name
 
     def head(self, repository: str, reference: str) -> str:
-        found = self.manifest(repository, reference)
-        return found.digest if found else ""
+        manifest = self.manifest(repository, reference)
+        return manifest.digest if manifest else ""
 
     def blob(self, repository: str, digest: str, limit: int = BLOB_BYTES) -> bytes:
         self._read()
@@ -210,15 +210,14 @@ class Bytes(Maker):
     """Makes images and parts of a few bytes each.
 
     Attributes:
-        state: of the run that it works for. registry: where they go.
-        made: what was built, joined and tested, in order: (step, target, architecture).
+        actions: what was built, joined and tested, in order: (step, target, architecture).
         poisoned: targets whose tests fail; those of the file `failing`. broken: targets whose build fails. packages: what is in the ROS images.
         odd: labels that an image has on an architecture. tests: what each image was tested with.
     """
 
     state: State
     registry: Any
-    made: list[tuple[str, str, str]] = field(default_factory=list)
+    actions: list[tuple[str, str, str]] = field(default_factory=list)
     poisoned: set[str] = field(default_factory=set)
     failing: str = "contract"
     broken: set[str] = field(default_factory=set)
@@ -234,15 +233,15 @@ class Bytes(Maker):
 
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> Made:
         self._require_whole(image.target)
-        own = f"{image.target} {self.packages} {architecture}".encode()
-        digest = self._put("build", image, architecture, [*self._layers(parts, architecture), own])
+        layer = f"{image.target} {self.packages} {architecture}".encode()
+        digest = self._put("build", image, architecture, [*self._layers(parts, architecture), layer])
         return Made(digest, parts, packages, "" if parts else BASE, self._sbom(image, digest))
 
-    def build_together(self, wanted: Sequence[Wanted]) -> None:
+    def build_together(self, builds: Sequence[Wanted]) -> None:
         """Each is built when its turn comes."""
 
     def describe(self, thing: Image | Part, digest: str) -> str:
-        self.made.append(("describe", thing.target, ""))
+        self.actions.append(("describe", thing.target, ""))
         return self._sbom(thing, digest)
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
@@ -252,17 +251,17 @@ class Bytes(Maker):
         self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
     ) -> Checked:
         self.tests[image.target] = names
-        self.made.append(("test", image.target, architecture))
+        self.actions.append(("test", image.target, architecture))
         failures = (f"{self.failing}: it is poisoned",) if image.target in self.poisoned else ()
-        said = "".join(f"    {failure}\n      Expected 0, got 1" for failure in failures)
-        return Checked(5, failures, versions={"torch": "2.10.0"}, said=said)
+        log = "".join(f"    {failure}\n      Expected 0, got 1" for failure in failures)
+        return Checked(5, failures, versions={"torch": "2.10.0"}, said=log)
 
     def _require_whole(self, target: str) -> None:
         if target in self.broken:
             raise RosmlError(f"building {target} failed", "mend it")
 
     def _put(self, step: str, thing: Image | Part, architecture: str, layers: Sequence[bytes]) -> str:
-        self.made.append((step, thing.target, architecture))
+        self.actions.append((step, thing.target, architecture))
         sent = self.registry.uploaded
         labels = {"org.opencontainers.image.title": title(thing), **self.odd.get((thing.target, architecture), {})}
         name = put_image(self.registry, f"{PREFIX}/{repository_of(thing)}", architecture, labels, layers)
@@ -276,17 +275,17 @@ class Bytes(Maker):
         names, system = ([thing.kind], "") if isinstance(thing, Part) else (["bash"], "12.15")
         document = sbom_of(f"{HOST}/{path}@{digest}", names, system)
         descriptor = self.registry.manifest(path, digest).descriptor
-        made: str = self.registry.attach(path, descriptor, sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT)
+        artifact: str = self.registry.attach(path, descriptor, sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT)
         getattr(self.registry, "transport", self.registry).uploaded = sent
-        return made
+        return artifact
 
     def _layers(self, parts: Mapping[str, str], architecture: str) -> list[bytes]:
-        found = []
+        layers = []
         for target, name in parts.items():
             repository = f"{PREFIX}/{self.state.by_key[target, architecture].repository}"
             content = self.registry.manifest(repository, name).content
-            found += [self.registry.blob(repository, layer["digest"]) for layer in content["layers"]]
-        return found
+            layers += [self.registry.blob(repository, layer["digest"]) for layer in content["layers"]]
+        return layers
 
 
 def put_image(
@@ -305,29 +304,23 @@ class Run(run.Run):
     """A run whose images are a few bytes each."""
 
     @property
-    def made(self) -> list[tuple[str, str, str]]:
-        """What was built, joined and tested, in order: (step, target, architecture)."""
+    def actions(self) -> list[tuple[str, str, str]]:
         assert isinstance(self.maker, Bytes)
-        return self.maker.made
+        return self.maker.actions
 
 
 @dataclass
 class Pen:
-    """Signs as `Signer` does.
-
-    Attributes:
-        registry: counts a signature as a write. signed: references that have one. asked: how often it was asked for one.
-        broken: why it fails; empty where it does not.
-    """
+    """Signs as `Signer` does; `broken` says why it fails. A signature counts as a write of the registry."""
 
     registry: MemoryRegistry
     identity: str = "sha256:pen"
     signed: set[str] = field(default_factory=set)
-    asked: int = 0
+    calls: int = 0
     broken: str = ""
 
     def ensure(self, reference: str) -> bool:
-        self.asked += 1
+        self.calls += 1
         if self.broken:
             raise SignerFailed(self.broken, "mend it")
         if reference in self.signed:
@@ -350,29 +343,17 @@ class Publisher:
 
     @property
     def place(self) -> Place:
-        """Where they publish."""
         return Place(self.registry, PREFIX)
 
     def run(self, image_set: ImageSet, date: str = DAY, serving: tuple[str, ...] = (), **options: Any) -> Run:
         """A run for both architectures, unless told otherwise; nothing is done yet."""
-        own = {
-            name: options.pop(name) for name in ("poisoned", "failing", "broken", "packages", "odd") if name in options
-        }
+        faults = ("poisoned", "failing", "broken", "packages", "odd")
+        of_maker = {name: options.pop(name) for name in faults if name in options}
         architectures = options.pop("architectures", ("amd64", "arm64"))
         only = tuple(options.pop("only", ()))
-        state = survey(
-            Request(
-                self.services,
-                image_set,
-                self.place,
-                date,
-                only,
-                tuple(architectures),
-                tuple(serving),
-                **options,
-            )
-        )
-        return Run(state, Bytes(state, self.registry, **own), lambda line: None, signer=self.pen)
+        places = tuple(architectures), tuple(serving)
+        state = survey(Request(self.services, image_set, self.place, date, only, *places, **options))
+        return Run(state, Bytes(state, self.registry, **of_maker), lambda line: None, signer=self.pen)
 
     def publish(self, image_set: ImageSet, **options: Any) -> Run:
         """A run with all its steps."""
@@ -380,6 +361,11 @@ class Publisher:
         for step in STEPS:
             STEPS[step](run)
         return run
+
+    def change(self, file: str = "components/ros/install.sh") -> None:
+        """Changes a file of the checkout, so that some images have other inputs."""
+        path = self.services.root / file
+        path.write_text(path.read_text() + "# a change\n")
 
     def undo(self, run: str = "", date: str = LATER) -> list[Outcome]:
         """Moves tags back to where they were before a run, the last one if empty."""
@@ -398,7 +384,7 @@ class Publisher:
                 target, _, architecture = name.rpartition(".")
                 entries[target, architecture] = store.Records(self.place).read(target, architecture)
         passed = {entry.digest for entry in entries.values() if entry and entry.passed and not entry.failures}
-        passed |= {old for entry in entries.values() if entry and not entry.failures for old in entry.superseded}
+        passed |= {digest for entry in entries.values() if entry and not entry.failures for digest in entry.superseded}
         for repository in {image.repository for image in image_set.images}:
             path = f"{PREFIX}/{repository}"
             for tag, target in self.tagged(repository).items():
@@ -423,7 +409,7 @@ class Publisher:
 
 def steps(run: Run, step: str) -> set[tuple[str, str]]:
     """Targets and architectures with which a run did a step."""
-    return {(target, architecture) for name, target, architecture in run.made if name == step}
+    return {(target, architecture) for name, target, architecture in run.actions if name == step}
 
 
 def waiting(run: Run, target: str) -> list[str]:
@@ -433,22 +419,22 @@ def waiting(run: Run, target: str) -> list[str]:
 
 def publisher(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch) -> Publisher:
     """A place whose repositories of packages are in memory as well. No hosts are waited for."""
-    found = Publisher(services)
+    place = Publisher(services)
 
     def state(_services: object, _matrix: object, distribution: str) -> str:
-        answer = found.packages[distribution]
+        answer = place.packages[distribution]
         if answer == "down":
             raise RosmlError("http://packages.example does not answer", "check the network")
         return answer
 
-    def lacking(_services: object, _matrix: object, row: str, architecture: str, wanted: list[str]) -> list[str]:
-        return [name for name in wanted if (row, architecture, name) in found.absent]
+    def lacking(_services: object, _matrix: object, row: str, architecture: str, packages: list[str]) -> list[str]:
+        return [name for name in packages if (row, architecture, name) in place.absent]
 
     monkeypatch.setattr(package_state, "state", state)
     monkeypatch.setattr(package_state, "lacking", lacking)
     for module in (failures, web):
         monkeypatch.setattr(module, "WAIT", 0.001)
-    return found
+    return place
 
 
 __all__ = ["Killed", "Publisher", "publisher"]

@@ -114,7 +114,7 @@ def test_images_that_only_test_get_no_tag_and_no_index(registry: Publisher, imag
     assert {"extra-cu1-py312", "extra-cpu-py314"} <= registry.tagged("part").keys()
     before = registry.registry.writes
     again = registry.publish(image_set, date=NEXT)
-    assert (again.made, again.outcomes, registry.registry.writes) == ([], [], before)
+    assert (again.actions, again.outcomes, registry.registry.writes) == ([], [], before)
 
 
 def test_a_part_whose_test_failed_gets_no_tag(registry: Publisher, image_set: ImageSet) -> None:

@@ -138,7 +138,7 @@ def test_a_records_that_was_lost_is_made_anew(registry: Publisher, image_set: Im
     for holder in (registry.registry.manifests, registry.registry.names, registry.registry.blobs):
         holder.pop(f"{PREFIX}/records")
     run = registry.publish(image_set, date=NEXT)
-    assert not run.failed and len(run.made) == len(first.made)
+    assert not run.failed and len(run.actions) == len(first.actions)
     digests = {key: entry.digest for key, entry in first.state.entries.items() if key[1] != INDEX}
     assert {key: entry.digest for key, entry in run.state.entries.items() if key[1] != INDEX} == digests
     registry.check(image_set)
@@ -313,10 +313,10 @@ def test_what_has_no_facts_is_described_again_and_not_built(registry: Publisher,
     again = registry.publish(image_set, only=ONLY, date=NEXT)
     items = [item for item in again.state.items if item.kind != "joined"]
     assert {item.kind for item in items} == {"ros", "part"}
-    assert again.made == [("describe", item.target, "") for item in items] and not again.failed
+    assert again.actions == [("describe", item.target, "") for item in items] and not again.failed
     assert {key: entry.digest for key, entry in again.state.entries.items()} == digests
     assert all(again.state.entries[item.key].described for item in items)
-    assert registry.publish(image_set, only=ONLY, date=LATER).made == []
+    assert registry.publish(image_set, only=ONLY, date=LATER).actions == []
 
 
 def test_an_index_leads_from_a_joined_image_to_its_parts(registry: Publisher, image_set: ImageSet) -> None:

@@ -95,12 +95,12 @@ def test_what_the_policy_stops_gets_no_tag(
     again = scanned(registry, image_set, world, date=NEXT)
     assert again.failed, "the same database, the same policy: what was stopped is stopped again"
     assert any("scan: policy failed" in reason for reason in waiting(again, BASE))
-    assert not again.made
+    assert not again.actions
 
     world.advisories.clear()  # the next database
     world.updated = "2026-11-23T00:00:00Z"
     mended = scanned(registry, image_set, world, date=NEXT)
-    assert not mended.failed and not mended.made
+    assert not mended.failed and not mended.actions
     assert "alpha-base-cu1" in registry.tagged("ros-torch")
     registry.check(image_set)
 
@@ -160,7 +160,7 @@ def test_what_has_no_sbom_is_made_again(registry: Publisher, image_set: ImageSet
     for entry in run.state.entries.values():
         run.records.write(replace(entry, sbom=""))
     again = scanned(registry, image_set, world, NEXT, only="alpha-core")
-    assert [step for step, *_ in again.made].count("build") == 2
+    assert [step for step, *_ in again.actions].count("build") == 2
     assert not again.failed and all(entry.sbom for key, entry in again.state.entries.items() if key[1] != INDEX)
 
 

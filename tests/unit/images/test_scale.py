@@ -37,15 +37,15 @@ def test_a_second_run_over_the_whole_matrix_does_nothing(tmp_path: Path, monkeyp
     first = here.publish(image_set)
     assert not first.failed
     assert first.uploaded > first.pushed > 0
-    assert {(target, name) for step, target, name in first.made if step in ("build", "join")} == items
+    assert {(target, name) for step, target, name in first.actions if step in ("build", "join")} == items
     tagged = {path: dict(names) for path, names in here.registry.names.items()}
     main = {image.tags[0] for image in image_set.images if image.tags}
     assert main <= {f"{path.partition('/')[2]}:{name}" for path, names in tagged.items() for name in names}
     here.registry.writes = 0
     here.registry.uploaded = 0
     again = here.publish(image_set, date=NEXT)
-    assert (again.made, again.outcomes, here.registry.writes) == ([], [], 0)
+    assert (again.actions, again.outcomes, here.registry.writes) == ([], [], 0)
     assert (again.uploaded, again.outcomes) == (0, [])
     assert here.registry.names == tagged
     one = here.publish(image_set, date=NEXT, packages="2", only=["ros1-bookworm-core"], force=True)
-    assert one.made and here.registry.writes, "this test cannot tell a run that does something"
+    assert one.actions and here.registry.writes, "this test cannot tell a run that does something"

@@ -43,7 +43,6 @@ class Stage:
     runs: list[Run] = field(default_factory=list)
 
     def image(self, *arguments: str) -> int:
-        """The command; gives its exit code."""
         return command.run(script.main, arguments=["--matrix", str(self.folder / "matrix.yaml"), *arguments])
 
     def tags(self, repository: str = "ros-torch") -> dict[str, str]:
@@ -71,21 +70,21 @@ def stage(tmp_path: Path, registry: str, small: sets.ImageSet, monkeypatch: pyte
     services(tmp_path, registry, buildx=buildx(tmp_path, "exit 1"))
     (tmp_path / ".state/auth").mkdir()
     (tmp_path / ".state/auth/docker.json").write_text('{"auths": {}}')
-    found = Stage(tmp_path, small, publisher(tmp_path, Services.load(tmp_path), monkeypatch))
+    stage = Stage(tmp_path, small, publisher(tmp_path, Services.load(tmp_path), monkeypatch))
 
     def run(called: call.Call) -> Run:
         facts: dict[str, Any] = {
-            "date": (DAY, NEXT)[len(found.runs)],
+            "date": (DAY, NEXT)[len(stage.runs)],
             "only": called.only,
             "architectures": called.architectures,
             "serving": called.serve,
             "force": called.force,
         }
-        found.runs.append(found.place.run(small, **facts, **found.options))
-        return found.runs[-1]
+        stage.runs.append(stage.place.run(small, **facts, **stage.options))
+        return stage.runs[-1]
 
     monkeypatch.setattr(call.Call, "run", run)
-    return found
+    return stage
 
 
 def test_an_image_is_published(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
@@ -106,21 +105,12 @@ def test_an_image_is_published(stage: Stage, capsys: pytest.CaptureFixture[str])
     stage.place.check(stage.image_set)
 
 
-def test_it_is_the_runs_own_order(stage: Stage) -> None:
-    """Built, joined, tested, and only then tags; what it stands on is not tested for itself, and gets no tag."""
-    assert stage.image(TARGET) == 0
-    made = stage.runs[0].made
-    assert [step for step, _, _ in made] == ["build"] * 5 + ["join", "test"]
-    assert made[-1][1] == TARGET
-    assert not stage.tags("ros")
-
-
 def test_a_second_call_does_nothing(stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: Any) -> None:
     assert stage.image(TARGET) == 0
     capsys.readouterr()
     free(monkeypatch, 1)
     assert stage.image(TARGET) == 0, "it needs no room"
-    assert stage.runs[1].made == []
+    assert stage.runs[1].actions == []
     told = capsys.readouterr().out
     assert "tags moved       none: all pointed here already\n" in told
     assert "made now         nothing: all of it was there\n" in told
@@ -130,13 +120,12 @@ def test_a_second_call_does_nothing(stage: Stage, capsys: pytest.CaptureFixture[
 def test_a_run_waits_for_another_one_of_its_checkout(
     stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It asks how things are only when that one has ended. What is wrong is told before."""
-    lock, asked = stage.folder / ".state/publish.lock", list[str]()
+    lock, places = stage.folder / ".state/publish.lock", list[str]()
     waits: list[str] = []
-    wanted: dict[str, Any] = {"matrix": stage.folder / "matrix.yaml", "only": (TARGET,)}
+    options: dict[str, Any] = {"matrix": stage.folder / "matrix.yaml", "only": (TARGET,)}
 
     def survey(request: Request) -> None:
-        asked.append(str(request.place))
+        places.append(str(request.place))
         raise RosmlError("that is all")
 
     monkeypatch.setattr(surveys, "survey", survey)
@@ -145,113 +134,84 @@ def test_a_run_waits_for_another_one_of_its_checkout(
 
         def say(line: str) -> None:
             if "waiting for another publishing run of this checkout" in line:
-                assert not asked
+                assert not places
                 waits.append(line)
                 other.close()
 
         monkeypatch.setattr(call, "say", say)
         with click.Context(click.Command("x")):
             with pytest.raises(RosmlError, match="NOWHERE"):
-                call.Call(registry="NOWHERE", **wanted).survey(turn=True)
-            assert not asked and not waits
+                call.Call(registry="NOWHERE", **options).survey(turn=True)
+            assert not places and not waits
             with pytest.raises(RosmlError, match="that is all"):
-                call.Call(registry=f"{HOST}/rosml", **wanted).survey(turn=True)
-            assert asked == [f"{HOST}/rosml"] and waits
+                call.Call(registry=f"{HOST}/rosml", **options).survey(turn=True)
+            assert places == [f"{HOST}/rosml"] and waits
     with turn(lock, lambda: pytest.fail("its own turn has not ended")):
-        assert asked
+        assert places
 
 
 def test_force_makes_it_anew(stage: Stage) -> None:
     for _ in range(2):
         assert stage.image(TARGET, "--force") == 0
-    assert [len(run.made) for run in stage.runs] == [7, 6], "the same digest passed its tests before"
-
-
-def test_the_screen(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    assert stage.image(TARGET) == 0
-    lines = capsys.readouterr().out.splitlines()
-    assert lines[1] == f"{TARGET} is built, tested and published"
-    assert lines[3] == f"FROM             {HOST}/rosml/ros-torch:alpha-base-cu1"
-    names = [line.split("  ")[0] for line in lines[3:]]
-    assert names == [
-        *("FROM", "digest", "tags", "tags moved", "try it", "build on it", "size", "new in registry", "made now"),
-        *("structure tests", "time"),
-    ]
-    assert "structure tests  5 passed, 0 failed" in lines
-    (builds,) = [line for line in lines if line.startswith("build on it")]
-    assert "/mine,push=true,oci-mediatypes=true ." in builds
+    assert [len(run.actions) for run in stage.runs] == [7, 6], "the same digest passed its tests before"
 
 
 def test_another_architecture_is_built_and_tested_and_gets_no_tag(
     stage: Stage, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """A tag is for all platforms of an image: one of them alone does not move it."""
     (stage.folder / "status").write_text("Status: running\nPlatforms: linux/amd64, linux/arm64*\n")
     assert stage.image("alpha-core-ml-cpu", "--platform", "linux/arm64") == 0
-    told = capsys.readouterr().out
-    assert "alpha-core-ml-cpu is built, tested and pushed by its digest" in told
-    assert "tags             none: a tag is for all platforms of an image" in told
+    printed = capsys.readouterr().out
+    assert "alpha-core-ml-cpu is built, tested and pushed by its digest" in printed
+    assert "tags             none: a tag is for all platforms of an image" in printed
     assert not stage.place.tagged("ros-ml")
 
 
 # ---- Nothing is tagged -----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("json_too", [False, True])
-def test_a_test_fails(stage: Stage, capsys: pytest.CaptureFixture[str], json_too: bool) -> None:
-    stage.options = {"poisoned": {TARGET}}
-    assert stage.image(TARGET, *(["--json"] if json_too else [])) == 1
-    done = capsys.readouterr()
+@pytest.mark.parametrize(
+    ("fault", "error", "rest"),
+    [
+        ({"poisoned": {TARGET}}, f"test of {TARGET} failed, so {TARGET} gets no tag: tests failed: contract", [TARGET]),
+        (
+            {"broken": {"part-torch-cu1-py312"}},
+            f"build of part-torch-cu1-py312 failed, so {TARGET} gets no tag",
+            ["part-torch-cu1-py312", TARGET, TARGET],
+        ),
+        ({"broken": {"alpha-core"}}, f"build of alpha-core failed, so {TARGET} gets no tag", None),
+    ],
+)
+def test_the_next_call_continues_after_a_failure(
+    stage: Stage, capsys: pytest.CaptureFixture[str], fault: dict[str, Any], error: str, rest: list[str] | None
+) -> None:
+    stage.options = fault
+    assert stage.image(TARGET, "--json") == 1
+    assert error in json.loads(capsys.readouterr().out)["error"]
     assert not stage.tags()
-    said = f"test of {TARGET} failed, so {TARGET} gets no tag: tests failed: contract: it is poisoned"
-    assert said in (json.loads(done.out)["error"] if json_too else done.err)
     stage.options = {}
-    assert stage.image(TARGET) == 0, "what failed is tested again: what made it fail may be gone"
-    assert [step for step, _, _ in stage.runs[1].made] == ["test"]
-
-
-def test_a_part_fails(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    stage.options = {"broken": {"part-torch-cu1-py312"}}
-    assert stage.image(TARGET) == 1
-    told = capsys.readouterr().err
-    assert f"build of part-torch-cu1-py312 failed, so {TARGET} gets no tag" in told
-    assert "remedy: mend it\n" in told
-    assert not stage.tags()
-    stage.options = {}
-    assert stage.image(TARGET) == 0, "what was finished is kept, the next call carries on"
-    assert [target for _, target, _ in stage.runs[1].made] == ["part-torch-cu1-py312", TARGET, TARGET]
-
-
-def test_a_base_image_that_cannot_be_had(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    """Nothing is made: its parts would be for nothing."""
-    stage.place.services = replace(stage.place.services, bases=tuple(OFFLINE))
-    assert stage.image(TARGET) == 1
-    told = capsys.readouterr().err
-    assert f"{TARGET} gets no tag: waiting for a builder: docker.io/library/ubuntu:24.04 is on Docker Hub" in told
-    assert "or name one that answers: OS_UBUNTU_24_04=" in told
-    assert not stage.runs[0].made
-
-
-def test_a_base_image_that_is_not_needed(stage: Stage) -> None:
-    """The image is there already."""
     assert stage.image(TARGET) == 0
-    stage.place.services = replace(stage.place.services, bases=tuple(OFFLINE))
-    assert stage.image(TARGET) == 0
+    if rest is None:
+        assert not stage.runs[0].actions, "nothing more is started after a failure"
+    else:
+        assert [target for _, target, _ in stage.runs[1].actions] == rest
 
 
-def test_nothing_is_built_for_an_image_after_a_failure(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    stage.options = {"broken": {"alpha-core"}}
-    assert stage.image(TARGET) == 1
-    assert f"build of alpha-core failed, so {TARGET} gets no tag" in capsys.readouterr().err
-    assert not stage.runs[0].made
-
-
-def test_tags_stay_where_they_were(stage: Stage) -> None:
+def test_tags_stay_where_they_were_after_a_failure(stage: Stage) -> None:
     assert stage.image(TARGET) == 0
     before = stage.tags()
     stage.options = {"poisoned": {TARGET}, "packages": "2"}
     assert stage.image(TARGET, "--force") == 1
     assert stage.tags() == before
+
+
+def test_a_base_image_that_cannot_be_had(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
+    stage.place.services = replace(stage.place.services, bases=tuple(OFFLINE))
+    assert stage.image(TARGET) == 1
+    error = capsys.readouterr().err
+    assert f"{TARGET} gets no tag: waiting for a builder: docker.io/library/ubuntu:24.04 is on Docker Hub" in error
+    assert "or name one that answers: OS_UBUNTU_24_04=" in error
+    assert not stage.runs[0].actions
 
 
 def test_tags_that_were_moved_back_stay(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
@@ -267,7 +227,7 @@ def test_no_room(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.C
     free(monkeypatch, 4_000)
     assert stage.image(TARGET) == 1
     assert f"build {TARGET}: 9.4 GB are needed" in capsys.readouterr().err
-    assert not stage.runs[0].made
+    assert not stage.runs[0].actions
 
 
 SET_UP = """\
@@ -294,12 +254,11 @@ def test_it_sets_the_machine_up(stage: Stage, capfd: pytest.CaptureFixture[str],
         (stage.folder / "status").write_text("Status: stopped\n")
         program.write_text(SET_UP + '(root / "status").write_text("Status: running")\n')
     assert stage.image(TARGET, "--json") == 0
-    said = capfd.readouterr()
-    assert "set up: up\n" in said.err and json.loads(said.out)
+    printed = capfd.readouterr()
+    assert "set up: up\n" in printed.err and json.loads(printed.out)
 
 
 def test_a_set_up_that_fails(stage: Stage, capfd: pytest.CaptureFixture[str]) -> None:
-    """It has said why; nothing is built."""
     shutil.rmtree(stage.folder / ".state")
     (stage.folder / "scripts").mkdir()
     (stage.folder / "scripts/bootstrap.py").write_text("import sys\nsys.exit('error: no disk')\n")
@@ -311,34 +270,33 @@ def test_a_set_up_that_fails(stage: Stage, capfd: pytest.CaptureFixture[str]) ->
 # ---- What is told before anything happens ----------------------------------------------------------------------------
 
 
-def test_a_near_miss(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    """A typo is told before anything else, even where no service is up."""
+@pytest.mark.parametrize(
+    ("arguments", "error"),
+    [
+        (["alpha-bse-torch-cu1"], "did you mean 'alpha-base-torch-cu1'"),
+        (["omega-base-ml-cu1"], "no release of tensorflow has a wheel for Python 3.14"),
+        ([TARGET, "--platform", "linux/riscv"], "linux/amd64 or linux/arm64"),
+        ([TARGET, "--platform", "linux/arm64"], f"{TARGET} exists for amd64 only"),
+        ([TARGET, "--on", "debian:12"], "--on installs the ROS of one target"),
+        ([TARGET], "no channel 'fina'"),
+    ],
+)
+def test_a_wrong_argument_ends_the_command_before_anything_else(
+    stage: Stage,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: list[str],
+    error: str,
+) -> None:
     shutil.rmtree(stage.folder / ".state")
-    assert stage.image("alpha-bse-torch-cu1") == 2
-    done = capsys.readouterr()
-    assert done.out == ""
-    assert "error: no image named 'alpha-bse-torch-cu1'; did you mean 'alpha-base-torch-cu1'" in done.err
-    assert "remedy: see all with:" in done.err
-    assert stage.image("omega-base-ml-cu1") == 2
-    assert "no release of tensorflow has a wheel for Python 3.14" in capsys.readouterr().err
+    if "channel" in error:
+        monkeypatch.setenv("ROS_CHANNEL", "fina")
+    assert stage.image(*arguments) == 2
+    assert error in capsys.readouterr().err
     assert not calls(stage.folder)
 
 
-def test_another_channel(stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("ROS_CHANNEL", "fina")
-    assert stage.image(TARGET) == 2
-    assert "no channel 'fina'" in capsys.readouterr().err
-
-
-def test_a_platform_that_nothing_has(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    assert stage.image(TARGET, "--platform", "linux/riscv") == 2
-    assert "linux/amd64 or linux/arm64" in capsys.readouterr().err
-    assert stage.image(TARGET, "--platform", "linux/arm64") == 2
-    assert f"{TARGET} exists for amd64 only\n" in capsys.readouterr().err
-
-
 def test_committed_files_are_left_alone(stage: Stage) -> None:
-    """A stale docker-bake.hcl is no matter of a build, which reads an excerpt of its own: rosml generate writes it."""
     (stage.folder / "docker-bake.hcl").write_text("# somebody's edit\n")
     assert stage.image(TARGET) == 0
     assert (stage.folder / "docker-bake.hcl").read_text() == "# somebody's edit\n"

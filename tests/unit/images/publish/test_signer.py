@@ -154,13 +154,13 @@ def test_every_index_is_signed_once(registry: Publisher, image_set: ImageSet) ->
     assert {name.rpartition("@")[2] for name in registry.pen.signed} == indexes
     assert f"{HOST}/{PREFIX}/ros@{registry.tagged('ros')['alpha-core']}" in registry.pen.signed
     assert [outcome.state for outcome in signing(run)] == ["done"] * len(indexes)
-    asked, writes = registry.pen.asked, registry.registry.writes
+    asked, writes = registry.pen.calls, registry.registry.writes
     again = registry.publish(image_set, only=ONLY, date=NEXT)
-    assert (again.outcomes, registry.pen.asked, registry.registry.writes) == ([], asked, writes)
+    assert (again.outcomes, registry.pen.calls, registry.registry.writes) == ([], asked, writes)
     registry.pen.identity = "sha256:another"
     registry.pen.signed.clear()
     other = registry.publish(image_set, only=ONLY, date=NEXT)
-    assert len(registry.pen.signed) == len(indexes) and not other.made
+    assert len(registry.pen.signed) == len(indexes) and not other.actions
     entry = other.state.entries["alpha-core", INDEX]
     assert entry.signed.keys() == {"sha256:pen", "sha256:another"}
 
@@ -170,10 +170,10 @@ def test_without_a_signature_no_tag(registry: Publisher, image_set: ImageSet) ->
     run = registry.publish(image_set, only=ONLY)
     assert run.failed and registry.tagged("ros") == {}
     assert ("alpha-core", "failed", "the key is gone") in [(it.target, it.state, it.reason) for it in signing(run)]
-    assert registry.pen.asked == PATIENCE, "a signer that is broken is not asked for every image"
+    assert registry.pen.calls == PATIENCE, "a signer that is broken is not asked for every image"
     registry.pen.broken = ""
     mended = registry.publish(image_set, only=ONLY)
-    assert not mended.made and "alpha-core" in registry.tagged("ros")
+    assert not mended.actions and "alpha-core" in registry.tagged("ros")
     registry.check(image_set)
 
 

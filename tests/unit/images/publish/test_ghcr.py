@@ -108,7 +108,7 @@ def test_two_nights(ghcr: StandIn, image_set: ImageSet, project: Path, monkeypat
     before = ghcr.count("^(PUT|POST|DELETE)")
     second = Night(ghcr, image_set, here, NEXT).whole()
     assert [outcome for run in second for outcome in run.outcomes if outcome.state != "waits"] == []
-    assert [run.made for run in second if run.made] == []
+    assert [run.actions for run in second if run.actions] == []
     assert (tags(ghcr), ghcr.count("^(PUT|POST|DELETE)")) == (found, before)
 
 
