@@ -70,8 +70,6 @@ def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Publisher, image_
     assert shards == [{"name": item["name"], "runner": item["runner"]} for item in plan["shards"]]
     assert {(item["name"].split("-")[0], item["runner"]) for item in shards} == {("amd64", "amd"), ("arm64", "arm")}
     summary = (ci / github.SUMMARY).read_text()
-    scan = content(registry, image_set, scanning="sha256:1")[0]["shards"]
-    assert [shard["name"] for shard in scan] == [shard["name"] for shard in plan["shards"]], "a scan needs no machine"
     assert f"## Plan of {DAY} for {HOST}/{PREFIX}" in summary and "\n- it costs a minute\n" in summary
     assert "| amd64-1 | amd |" in summary
     assert "- up to date: 0" in summary
@@ -101,13 +99,28 @@ def test_a_plan_names_what_changed_when_asked(
 
 
 def test_a_plan_for_this_machine_needs_no_machines_in_ci(
-    registry: Publisher, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
+    monkeypatch.setattr(Call, "survey", lambda _: registry.run(image_set).state)
+    output = CliRunner().invoke(plan.main, ["--everywhere", "--shards", "3"]).output
+    rows = [line.split()[:3] for line in output.splitlines() if line.startswith(("amd64-", "arm64-"))]
+    assert rows == [["amd64-1", "amd", "alpha"], ["amd64-2", "amd", "omega"], ["arm64-1", "arm", "alpha,"]]
     alone = parse(SMALLER.replace(", runner: amd", "").replace(", runner: arm", ""))
     monkeypatch.setattr(Call, "survey", lambda _: registry.run(alone).state)
     assert CliRunner().invoke(plan.main, []).exit_code == 0
     done = CliRunner().invoke(plan.main, ["--output", str(tmp_path / "plan.json")])
     assert isinstance(done.exception, RosmlError) and "'runner' is missing" in done.exception.message
+
+
+def test_no_machine_is_planned_where_nothing_is_built_or_tested(
+    registry: Publisher, image_set: ImageSet, ci: Path
+) -> None:
+    registry.publish(image_set)
+    report.plan_to_ci(content(registry, image_set, date=NEXT)[1], "")
+    assert (ci / github.OUTPUT).read_text() == "shards=[]\n"
+    assert "- nothing to do" in (ci / github.SUMMARY).read_text()
+    scan, _ = content(registry, image_set, date=NEXT, scanning="sha256:1")
+    assert ({step for task in scan["tasks"] for step in task["steps"]}, scan["shards"]) == ({"scan"}, [])
 
 
 def test_what_lacks_a_lock_has_a_line_of_its_own(

@@ -36,11 +36,11 @@ def ghcr(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Ite
     """The registry, and who denies what does not exist yet."""
     monkeypatch.setattr(failures, "WAIT", 0.001)
     monkeypatch.setattr(failures, "LONGEST_WAIT", 0.02)
-    with standing_in() as people, standing_in() as found:
-        found.hides, found.users, found.bearer, found.scoped = request.param, {NAME: SECRET}, True, True
-        found.expires, found.deletes, found.people = 3.0, False, f"http://{people.address}/me"
-        yield found
-        assert people.requests == [], "nobody asks a page for people"
+    with standing_in() as pages, standing_in() as server:
+        server.hides, server.users, server.bearer, server.scoped = request.param, {NAME: SECRET}, True, True
+        server.expires, server.deletes, server.people = 3.0, False, f"http://{pages.address}/me"
+        yield server
+        assert pages.requests == [], "nobody asks a page for people"
 
 
 class Night:
@@ -79,8 +79,8 @@ class Night:
 def tags(server: StandIn) -> dict[str, dict[str, str]]:
     """Where tags point, without the lists of what is attached."""
     return {
-        repository: {name: digest for name, digest in named.items() if not name.startswith("sha256-")}
-        for repository, named in server.tags.items()
+        repository: {name: digest for name, digest in names.items() if not name.startswith("sha256-")}
+        for repository, names in server.tags.items()
     }
 
 
@@ -98,18 +98,18 @@ def test_two_nights(ghcr: StandIn, image_set: ImageSet, project: Path, monkeypat
     assert [outcome for run in first for outcome in run.outcomes if outcome.state == "failed"] == []
     assert all(fault.times < 1000 for fault in ghcr.faults), "something did not go wrong"
     assert ghcr.count("/referrers/") <= len(first), "each process asks once"
-    found = tags(ghcr)
-    assert found[f"{PREFIX}/ros"].keys() >= {"alpha-core", "alpha-core-20261122", "alpha", "latest", "omega-base"}
-    assert found[f"{PREFIX}/ros-torch"].keys() >= {"alpha-base-cu1", "alpha-base-cu1-torch2.10.0", "latest"}
+    published = tags(ghcr)
+    assert published[f"{PREFIX}/ros"].keys() >= {"alpha-core", "alpha-core-20261122", "alpha", "latest", "omega-base"}
+    assert published[f"{PREFIX}/ros-torch"].keys() >= {"alpha-base-cu1", "alpha-base-cu1-torch2.10.0", "latest"}
     with Registry(ghcr.address, credentials=lambda _: Credentials(NAME, SECRET)) as client:
         whole = Publisher(here.services, cast(Any, client))
-        monkeypatch.setattr(whole, "tagged", lambda repository: found[f"{PREFIX}/{repository}"])
+        monkeypatch.setattr(whole, "tagged", lambda repository: published[f"{PREFIX}/{repository}"])
         whole.check(image_set)
     before = ghcr.count("^(PUT|POST|DELETE)")
     second = Night(ghcr, image_set, here, NEXT).whole()
     assert [outcome for run in second for outcome in run.outcomes if outcome.state != "waits"] == []
     assert [run.actions for run in second if run.actions] == []
-    assert (tags(ghcr), ghcr.count("^(PUT|POST|DELETE)")) == (found, before)
+    assert (tags(ghcr), ghcr.count("^(PUT|POST|DELETE)")) == (published, before)
 
 
 Make = Callable[[], tuple[int, dict[str, Any]]]
@@ -134,46 +134,46 @@ def make(
         monkeypatch.setattr(Registry, "close", lambda _: None)
         arguments = ["--plan", f"{project}/plan.json", "--matrix", f"{project}/matrix.yaml", "--json"]
 
-        def called() -> tuple[int, dict[str, Any]]:
+        def call() -> tuple[int, dict[str, Any]]:
             with pytest.raises(SystemExit) as ended:
                 publish.main(["repositories", *arguments], standalone_mode=False)
             return int(ended.value.code or 0), json.loads(capsys.readouterr().out)
 
-        yield called
+        yield call
 
 
-MADE = ["records", "part", "ros", "ros-torch", "rosdep"]
+REPOSITORIES = ["records", "part", "ros", "ros-torch", "rosdep"]
 
 
 def test_repositories_are_made_before_machines_push_at_once(ghcr: StandIn, make: Make) -> None:
-    """One after the other, those that the plan writes into. The second time nothing is written."""
     ghcr.fault("POST", "/uploads/", 403, 1000, each=3, body=DENIED)
-    assert make() == (0, {"made": MADE, "failed": {}})
-    found = [found[1] for request in ghcr.requests if (found := re.search(rf"/v2/{PREFIX}/([^/]+)/", request))]
-    assert [name for name, _ in itertools.groupby(found)] == MADE
-    assert all(ghcr.exists(f"{PREFIX}/{name}") for name in MADE) and not any(ghcr.tags.values())
+    assert make() == (0, {"made": REPOSITORIES, "failed": {}})
+    repositories = [
+        repositories[1] for request in ghcr.requests if (repositories := re.search(rf"/v2/{PREFIX}/([^/]+)/", request))
+    ]
+    assert [name for name, _ in itertools.groupby(repositories)] == REPOSITORIES
+    assert all(ghcr.exists(f"{PREFIX}/{name}") for name in REPOSITORIES) and not any(ghcr.tags.values())
     before = ghcr.count("^(PUT|POST)")
     assert make() == (0, {"made": [], "failed": {}}) and ghcr.count("^(PUT|POST)") == before
 
 
 def test_a_repository_that_cannot_be_made_holds_up_no_other(ghcr: StandIn, make: Make) -> None:
     ghcr.fault("POST", "/records/blobs/uploads/", 403, 1000, body=DENIED)
-    code, said = make()
-    assert (code, said["made"]) == (1, MADE[1:])
-    assert "access denied: cannot push to rosml/records" in said["failed"]["records"]
+    code, printed = make()
+    assert (code, printed["made"]) == (1, REPOSITORIES[1:])
+    assert "access denied: cannot push to rosml/records" in printed["failed"]["records"]
 
 
 def test_a_tag_that_is_denied_to_a_reader_does_not_move(
     ghcr: StandIn, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """It may point at something newer, or at more architectures."""
     here = publisher(project, services(project), monkeypatch)
     Night(ghcr, image_set, here, NEXT, "alpha-core").whole()
-    found = tags(ghcr)
+    published = tags(ghcr)
     here.packages["alpha"] = "tuesday"
     older = Night(ghcr, image_set, here, DAY, "alpha-core")
     older.job("build", "join", "test", "index")
     ghcr.fault("HEAD", f"/{PREFIX}/ros/manifests/alpha-core$", 403, 1000, body=DENIED)
     with pytest.raises(RosmlError, match="access denied: cannot pull from rosml/ros with the account"):
         older.job("promote")
-    assert tags(ghcr)[f"{PREFIX}/ros"] == found[f"{PREFIX}/ros"]
+    assert tags(ghcr)[f"{PREFIX}/ros"] == published[f"{PREFIX}/ros"]

@@ -82,12 +82,19 @@ def test_one_failure_blocks_only_itself(tmp_path: Path) -> None:
     assert steps(played, "promote")[-4:] == ["record", "index", "promote", "status"]
 
 
-@pytest.mark.parametrize(("wanted", "result"), [("", "success"), ("false", "skipped")])
-def test_a_scheduled_night_keeps_an_issue(wanted: str, result: str, tmp_path: Path) -> None:
-    """With the summary of the job that moves tags, also where that one failed; unless a variable says no."""
-    played = night(tmp_path, "images promote", event="schedule", ROSML_ISSUE=wanted)
+@pytest.mark.parametrize(("setting", "result"), [("", "success"), ("false", "skipped")])
+def test_a_scheduled_night_keeps_an_issue(setting: str, result: str, tmp_path: Path) -> None:
+    played = night(tmp_path, "images promote", event="schedule", ROSML_ISSUE=setting)
     assert played.results["promote"] == "failure" and played.results["issue"] == result
     assert played.commands.get("issue", [])[1:] == ["rosml publish issue night.md --open 3"] * (result == "success")
+
+
+def test_a_lost_scan_and_no_build_leave_the_rest_of_the_night(tmp_path: Path) -> None:
+    played = night(tmp_path, lost="scan", shards="[]")
+    skipped = dict.fromkeys(("images", "pages", "issue"), "skipped")
+    assert played.results == {**dict.fromkeys(ALL, "success"), **skipped}
+    assert steps(played, "promote")[-3:] == ["index", "promote", "status"]
+    assert "record" not in steps(played, "promote")
 
 
 def test_no_plan_no_night(tmp_path: Path) -> None:
@@ -96,19 +103,7 @@ def test_no_plan_no_night(tmp_path: Path) -> None:
     assert played.commands.keys() == {"plan"}
 
 
-def test_nothing_to_build(tmp_path: Path) -> None:
-    """No machine starts for images; scans, indexes and tags are looked at all the same."""
-    played = night(tmp_path, shards="[]")
-    assert played.results == {
-        **dict.fromkeys(ALL, "success"),
-        "images": "skipped",
-        "pages": "skipped",
-        "issue": "skipped",
-    }
-
-
 def test_a_scanner_that_does_not_find_what_it_must(tmp_path: Path) -> None:
-    """Nothing is scanned with it, and nothing gets a tag that needs a scan."""
     make = '[ "$1" != test-scanner ]'
     played = play(workflow("nightly"), tmp_path, {"make": make, "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{ROSML}"})
     assert played.results["scan"] == "failure"
@@ -117,7 +112,6 @@ def test_a_scanner_that_does_not_find_what_it_must(tmp_path: Path) -> None:
 
 
 def test_a_signer_that_does_not_sign(tmp_path: Path) -> None:
-    """No index is made, and no tag moves."""
     make = '[ "$1" != test-signer ]'
     programs = {"make": make, "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{ROSML}"}
     played = play(workflow("nightly"), tmp_path, programs, variables={"ROSML_SIGN": "true"})
@@ -132,8 +126,8 @@ def test_a_signer_that_does_not_sign(tmp_path: Path) -> None:
 def test_a_public_repository_signs_unless_a_variable_says_otherwise(
     tmp_path: Path, visibility: str, variable: str, signs: bool
 ) -> None:
-    seen = 'echo "${ROSML_SIGN:-}" >"$CALLS.$GITHUB_JOB"'
-    programs = {"make": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{seen}\n{ROSML}"}
+    print_setting = 'echo "${ROSML_SIGN:-}" >"$CALLS.$GITHUB_JOB"'
+    programs = {"make": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{print_setting}\n{ROSML}"}
     variables = {"ROSML_SIGN": variable} if variable else {}
     played = play(workflow("nightly"), tmp_path, programs, variables=variables, visibility=visibility)
     assert played.results["promote"] == "success"
@@ -141,30 +135,17 @@ def test_a_public_repository_signs_unless_a_variable_says_otherwise(
     assert (tmp_path / "calls.promote").read_text() == f"{str(signs).lower()}\n"
 
 
-def test_results_of_a_scan_that_never_arrive(tmp_path: Path) -> None:
-    """Images that need a scan wait, as the publisher sees to; what was scanned before can get its tags."""
-    played = night(tmp_path, lost="scan")
-    assert played.results["promote"] == "success"
-    assert steps(played, "promote")[-3:] == ["index", "promote", "status"]
-    assert "record" not in steps(played, "promote")
-
-
 def test_what_a_repository_and_a_person_choose(tmp_path: Path) -> None:
-    """Variables of the repository and inputs of a run by hand. The signer is built and tested only where it is used."""
-    seen = '[ "$1" != plan ] || echo "$ROSML_FORCE|$ONLY" >"$CALLS.plan"\n[ "${2:-}" != promote ] || [ "$ROSML_SIGN" = true ]'
+    print_settings = '[ "$1" != plan ] || echo "$ROSML_FORCE|$ONLY" >"$CALLS.plan"\n[ "${2:-}" != promote ] || [ "$ROSML_SIGN" = true ]'
     played = play(
         workflow("nightly"),
         tmp_path,
-        {"make": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{seen}\n{ROSML}"},
+        {"make": ":", "rosml": f"FAILING='' SHARDS_PLANNED='[]'\n{print_settings}\n{ROSML}"},
         variables={"ROSML_SIGN": "true", "ROSML_PAGES": "true", "ROSML_SERVE": "amd64", "ROSML_SHARDS": "3"},
         inputs={"only": "ros1-bookworm-* jazzy-core", "force": "true"},
     )
-    assert played.results == {
-        **dict.fromkeys(ALL, "success"),
-        "images": "skipped",
-        "pages": "success",
-        "issue": "skipped",
-    }
+    skipped = dict.fromkeys(("images", "issue"), "skipped")
+    assert played.results == {**dict.fromkeys(ALL, "success"), **skipped, "pages": "success"}
     assert {"signer", "test-signer"} <= set(steps(played, "promote"))
     assert len(played.caches) == 4, "of the scan, and of the signer: asked for, and kept"
     assert all(line.endswith(" .state/bin") for line in played.caches)
@@ -180,9 +161,8 @@ def test_what_a_repository_and_a_person_choose(tmp_path: Path) -> None:
 def test_a_repository_with_a_set_of_its_own_calls_it(
     registry: str, secrets: dict[str, str], tmp_path: Path, real: ImageSet
 ) -> None:
-    """By the workflow that rosml init --images writes: the set's registry, what a person chose, and who publishes."""
-    found = own_set.chosen(real, [], [], registry, "")
-    text = own_set.files(real, found, own_set.Upstream("https://github.com/rosml/rosml", "0" * 40))[own_set.WORKFLOW]
+    choices = own_set.chosen(real, [], [], registry, "")
+    text = own_set.files(real, choices, own_set.Upstream("https://github.com/rosml/rosml", "0" * 40))[own_set.WORKFLOW]
     caller = text.replace("rosml/rosml/.github/workflows/nightly.yml@" + "0" * 40, "./.github/workflows/nightly.yml")
     assert caller != text
     rosml = f"FAILING='' SHARDS_PLANNED='{SHARDS}'\n{ROSML}"

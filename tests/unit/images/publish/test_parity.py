@@ -22,12 +22,12 @@ CONFIGS = {name: config(name) for name in ("amd64", "arm64")}
 
 def inside(image_set: ImageSet, image: Image, platform: str) -> dict[str, str]:
     """The versions that an image's parts record of themselves."""
-    found: dict[str, str] = {}
+    versions: dict[str, str] = {}
     for name in image.parts:
         part = image_set.part_by_name[name]
         lock = dict(zip(part.platforms, part.locks, strict=True))[platform]
-        found |= lock_file.versions((ROOT / lock).read_text())
-    return found
+        versions |= lock_file.versions((ROOT / lock).read_text())
+    return versions
 
 
 def test_every_image_that_both_architectures_have_a_lock_of_can_have_an_index(real: ImageSet) -> None:
@@ -38,8 +38,8 @@ def test_every_image_that_both_architectures_have_a_lock_of_can_have_an_index(re
             versions = {architecture: inside(real, image, platform) for architecture, platform in platforms.items()}
             released = [item.name for item in image.brought if item.released]
             same_content.require(image.target, CONFIGS, versions, released)
-            found = same_content.content(versions["amd64"], released)
-            compared |= {(image.framework, image.stack, name) for name in found}
+            content = same_content.content(versions["amd64"], released)
+            compared |= {(image.framework, image.stack, name) for name in content}
     assert ("tensorflow", "cpu", "tensorflow") in compared and ("ml", "cpu", "torch") in compared
     assert {("torch", "cu130", name) for name in ("CUDA", "cuDNN", "NCCL", "torch", "numpy")} <= compared
 
@@ -61,7 +61,6 @@ def test_another_content_is_refused(amd64: dict[str, str], arm64: dict[str, str]
 
 
 def test_what_an_architecture_may_have_to_itself() -> None:
-    """A revision of Debian's, and one wheel's name and place in the place of another."""
     amd64 = {"python3-numpy": "1.24.2-1+b1", "tensorflow-cpu": "2.20.0", "torch": "2.10.0+cpu", "nvidia-cufile": "1"}
     arm64 = {"python3-numpy": "1.24.2-1", "tensorflow": "2.20.0", "torch": "2.10.0"}
     same_content.require("x", CONFIGS, {"amd64": amd64, "arm64": arm64}, ["torch", "tensorflow"])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from itertools import permutations
 
 import pytest
 from conftest import changed, parse
@@ -50,18 +49,18 @@ def test_a_shard(small: ImageSet) -> None:
 
 
 def test_what_took_longer_the_last_time_counts_so(small: ImageSet) -> None:
-    """Of each step, and nothing that was in a cache."""
     targets = [(image.target, "amd64") for image in small.images] + [(part.target, "amd64") for part in small.parts]
     work = dealing.Work(frozenset(targets), frozenset(targets))
     (before,) = dealing.deal(small, 1, work=work)
-    took = {("alpha-core", "amd64"): {"test": 105.2, "build": 0.4}, ("part-cuda-cu1", "amd64"): {"build": 1010.0}}
-    (after,) = dealing.deal(small, 1, work=dataclasses.replace(work, seconds=took))
+    seconds = {("alpha-core", "amd64"): {"test": 105.2, "build": 0.4}, ("part-cuda-cu1", "amd64"): {"build": 1010.0}}
+    (after,) = dealing.deal(small, 1, work=dataclasses.replace(work, seconds=seconds))
     assert after.estimates.seconds - before.estimates.seconds == (106 - 6) + (1010 - 10)
 
 
 def test_what_a_shard_has_already_costs_nothing(small: ImageSet) -> None:
-    """Both distributions need CUDA, which is assembled once: 10 s, and 2 * 1100 MB; their Pythons differ."""
     apart, together = dealing.deal(small, 4), dealing.deal(small, 2)
+    names = {number: [shard.name for shard in dealing.deal(small, number)] for number in (1, 3)}
+    assert names == {1: ["amd64-1", "arm64-1"], 3: ["amd64-1", "amd64-2", "arm64-1"]}, "the longer one gets the third"
     assert [shard.estimates.seconds for shard in together] == [126 + 79 - 10, 76 + 44]
     assert together[0].parts.count("cuda-cu1") == 1
     saved = apart[0].estimates.disk_mb + apart[1].estimates.disk_mb - together[0].estimates.disk_mb
@@ -69,24 +68,15 @@ def test_what_a_shard_has_already_costs_nothing(small: ImageSet) -> None:
     assert apart[0].estimates.download_mb + apart[1].estimates.download_mb - together[0].estimates.download_mb == 100
 
 
-def test_a_further_shard_goes_where_it_takes_longest(small: ImageSet) -> None:
-    assert [shard.name for shard in dealing.deal(small, 3)] == ["amd64-1", "amd64-2", "arm64-1"]
-
-
-def test_each_architecture_has_a_machine(small: ImageSet) -> None:
-    assert [shard.name for shard in dealing.deal(small, 1)] == ["amd64-1", "arm64-1"]
-
-
 def test_only_what_is_included(small: ImageSet) -> None:
-    found = dealing.deal(small, 4, lambda image: image.target == "alpha-desktop-torch-cpu")
-    assert [(shard.name, shard.targets) for shard in found] == [
+    shards = dealing.deal(small, 4, lambda image: image.target == "alpha-desktop-torch-cpu")
+    assert [(shard.name, shard.targets) for shard in shards] == [
         ("arm64-1", ("alpha-core", "alpha-base", "alpha-desktop", "alpha-desktop-torch-cpu"))
     ]
-    assert found[0].parts == ("common-cpu-py312", "torch-cpu-py312")
+    assert shards[0].parts == ("common-cpu-py312", "torch-cpu-py312")
 
 
 def test_distributions_that_share_come_together() -> None:
-    """Two on each of eight operating systems, all equally long; the second ones where the first ones are."""
     image_set = parse(synthetic.matrix(16 * synthetic.IMAGES))
     system = {name: row.os for name, row in image_set.matrix.distributions.items()}
     for shard in dealing.deal(image_set, 16):
@@ -97,25 +87,25 @@ def test_distributions_that_share_come_together() -> None:
 # ---- Properties ------------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("number", [2, 3, 7, 12, 20, 99])
+@pytest.mark.parametrize("number", [2, 7, 12, 99])
 def test_every_plan(big: ImageSet, number: int) -> None:
-    found = dealing.deal(big, number)
-    assert len(found) == min(number, 20)
-    wanted = {(image.target, architecture) for image in big.images for architecture in image.architectures}
-    built = [(target, shard.architecture) for shard in found for target in shard.targets]
+    shards = dealing.deal(big, number)
+    assert len(shards) == min(number, 20)
+    expected = {(image.target, architecture) for image in big.images for architecture in image.architectures}
+    built = [(target, shard.architecture) for shard in shards for target in shard.targets]
     assert len(built) == len(set(built)), "an image is built twice"
-    assert set(built) == wanted
-    parts = [(name, shard.architecture) for shard in found for name in shard.parts if name not in shard.elsewhere]
+    assert set(built) == expected
+    parts = [(name, shard.architecture) for shard in shards for name in shard.parts if name not in shard.elsewhere]
     assert len(parts) == len(set(parts)), "a part is built twice"
-    assert set(parts) == {(name, shard.architecture) for shard in found for name in shard.parts}
-    for shard in found:
+    assert set(parts) == {(name, shard.architecture) for shard in shards for name in shard.parts}
+    for shard in shards:
         place = {target: index for index, target in enumerate(shard.targets)}
         for target in shard.targets:
             image = big.by_target[target]
             assert place.get(image.parent, -1) < place[target], "an image stands before what it stands on"
             assert set(image.parts) <= set(shard.parts)
     for architecture in ("amd64", "arm64"):
-        seconds = [shard.estimates.seconds for shard in found if shard.architecture == architecture]
+        seconds = [shard.estimates.seconds for shard in shards if shard.architecture == architecture]
         assert seconds == sorted(seconds, reverse=True)
 
 
@@ -129,26 +119,6 @@ def test_balanced(big: ImageSet, number: int) -> None:
         max(shard.estimates.seconds for shard in shards)
         <= sum(unit.estimates.seconds for unit in units) / number + longest
     )
-
-
-def test_more_machines_never_take_longer(big: ImageSet) -> None:
-    times = [max(shard.estimates.seconds for shard in dealing.deal(big, number)) for number in range(2, 22)]
-    assert times == sorted(times, reverse=True)
-    assert times[0] > 4 * times[-1]
-
-
-def test_same_input_same_shards(big: ImageSet) -> None:
-    assert dealing.deal(big, 7) == dealing.deal(parse(synthetic.matrix(10 * synthetic.IMAGES)), 7)
-
-
-def test_order_of_the_matrix_does_not_make_it_worse() -> None:
-    head, _, rows = synthetic.matrix(5 * synthetic.IMAGES).partition("distributions:\n")
-    orders = list(permutations(rows.splitlines()))[::20]
-    times = set()
-    for order in orders:
-        image_set = parse("\n".join([f"{head}distributions:", *order, ""]))
-        times.add(max(shard.estimates.seconds for shard in dealing.deal(image_set, 4)))
-    assert len(times) == 1
 
 
 def test_work_grows_with_the_images_and_not_with_their_square() -> None:
@@ -177,8 +147,3 @@ def test_an_architecture_that_nothing_is_built_for_needs_no_runner() -> None:
 def test_rates_that_are_none(rate: str) -> None:
     with pytest.raises(RosmlError, match=r"matrix.yaml:\d+:\d+: rates.packages: expected"):
         parse(changed("{packages: 10,", f"{{packages: {rate},"))
-
-
-def test_the_real_matrix_has_a_plan(real: ImageSet) -> None:
-    units = {(image.distribution, name) for image in real.images for name in image.architectures}
-    assert len(dealing.deal(real, 100)) == len(units)

@@ -3,7 +3,7 @@ What a publishing run attaches: test_attached.py."""
 
 from __future__ import annotations
 
-import subprocess
+import hashlib
 from pathlib import Path
 
 import pytest
@@ -37,9 +37,9 @@ def checkout(tmp_path: Path) -> Path:
 
 def test_who_builds() -> None:
     assert Machine.here(DATE, {}) == Machine(provenance.OWN_MACHINE, DATE)
-    found = Machine.here(DATE, GITHUB)
-    assert found.builder == "https://github.com/me/rosml/.github/workflows/nightly.yml@refs/heads/main"
-    assert found.invocation == "https://github.com/me/rosml/actions/runs/7/attempts/2"
+    machine = Machine.here(DATE, GITHUB)
+    assert machine.builder == "https://github.com/me/rosml/.github/workflows/nightly.yml@refs/heads/main"
+    assert machine.invocation == "https://github.com/me/rosml/actions/runs/7/attempts/2"
     # Variables that are left over on somebody's machine make it no workflow.
     assert Machine.here(DATE, GITHUB | {"GITHUB_ACTIONS": ""}).builder == provenance.OWN_MACHINE
 
@@ -56,22 +56,22 @@ def test_who_builds() -> None:
     ],
 )
 def test_base_images(reference: str, repository: str) -> None:
-    found = provenance.base(reference, DIGEST)
-    assert found["uri"].endswith(f"?repository_url={repository}")
-    assert found["digest"] == {"sha256": "1" * 64}
-    assert "annotations" not in found
+    descriptor = provenance.base(reference, DIGEST)
+    assert descriptor["uri"].endswith(f"?repository_url={repository}")
+    assert descriptor["digest"] == {"sha256": "1" * 64}
+    assert "annotations" not in descriptor
     another = provenance.base(reference, f"sha256:{'2' * 64}")
-    assert another == {**found, "annotations": {"differs": "matrix.yaml names another base image"}}
+    assert another == {**descriptor, "annotations": {"differs": "matrix.yaml names another base image"}}
 
 
 def test_the_checkout(checkout: Path, tmp_path: Path) -> None:
     head = git(checkout, "rev-parse", "HEAD")
     assert provenance.source(checkout) == [{"name": "source", "digest": {"gitCommit": head}}]
     git(checkout, "remote", "add", "origin", "https://me:s3cret@github.com/me/rosml.git?x=s3cret")
-    (found,) = provenance.source(checkout)
-    assert found["uri"] == "git+https://github.com/me/rosml.git"
+    (descriptor,) = provenance.source(checkout)
+    assert descriptor["uri"] == "git+https://github.com/me/rosml.git"
     (checkout / "plan.json").write_text("{}")
-    assert provenance.source(checkout) == [found], "what a job leaves beside it decides no image"
+    assert provenance.source(checkout) == [descriptor], "what a job leaves beside it decides no image"
     (checkout / "locks/a.txt").write_text("torch==2\n")
     (dirty,) = provenance.source(checkout)
     assert "differ" in dirty["annotations"]["differs"] and dirty["digest"] == {"gitCommit": head}
@@ -82,16 +82,14 @@ def test_the_checkout(checkout: Path, tmp_path: Path) -> None:
 
 
 def test_locks(checkout: Path) -> None:
-    sha = subprocess.run(["sha256sum", str(checkout / "locks/a.txt")], capture_output=True, text=True, check=True)
-    assert provenance.locks(checkout, ["locks/a.txt"]) == [
-        {"name": "locks/a.txt", "digest": {"sha256": sha.stdout.split()[0]}}
-    ]
+    digest = {"sha256": hashlib.sha256(b"torch==1\n").hexdigest()}
+    assert provenance.locks(checkout, ["locks/a.txt"]) == [{"name": "locks/a.txt", "digest": digest}]
 
 
 def test_the_statement() -> None:
     definition = provenance.definition({"target": "t", "stack": ""}, "abc", [{"name": "x"}])
-    said = provenance.Statement("rosml/ros", DIGEST, definition, Machine("b", "i"), DATE, DATE).content()
-    assert said == {
+    statement = provenance.Statement("rosml/ros", DIGEST, definition, Machine("b", "i"), DATE, DATE).content()
+    assert statement == {
         "_type": "https://in-toto.io/Statement/v1",
         "subject": [{"name": "rosml/ros", "digest": {"sha256": "1" * 64}}],
         "predicateType": "https://slsa.dev/provenance/v1",

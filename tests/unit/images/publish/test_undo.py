@@ -25,8 +25,8 @@ TAGS = ("jazzy-base", "jazzy-base-20261122")
 
 @pytest.fixture
 def server() -> Iterator[StandIn]:
-    with standing_in() as found:
-        yield found
+    with standing_in() as server:
+        yield server
 
 
 @pytest.fixture
@@ -45,44 +45,44 @@ def index(client: Registry, repository: str, title: str, night: str) -> str:
     image = {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": config, "layers": []}
     digest = client.put_manifest(path, "", image)
     member = {**oci.descriptor(oci.IMAGE, oci.encoded(image)), "platform": {"os": "linux", "architecture": "amd64"}}
-    said = {TITLE: title, store.DATE: night}
-    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [member], "annotations": said}
+    annotations = {TITLE: title, store.DATE: night}
+    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [member], "annotations": annotations}
     assert member["digest"] == digest
     return client.put_manifest(path, "", content, oci.INDEX)
 
 
 def published(client: Registry) -> dict[str, tuple[str, str]]:
     """Two nights of an image and of a part: where tags were, and where the second night moved them."""
-    book, found, moves = Records(Place(client, PREFIX)), {}, []
+    book, digests, moves = Records(Place(client, PREFIX)), {}, []
     for repository, title, target, tags in (
         ("ros", "jazzy-base", "jazzy-base", TAGS),
         ("part", "torch-cpu-py312", "part-torch-cpu-py312", ("torch-cpu-py312",)),
     ):
-        old, new = (index(client, repository, title, night) for night in ("2026-11-21T03:00:00Z", RUN))
-        found[repository] = old, new
+        before, new = (index(client, repository, title, night) for night in ("2026-11-21T03:00:00Z", RUN))
+        digests[repository] = before, new
         for tag in tags:
             client.tag(f"{PREFIX}/{repository}", new, tag)
-            before = "" if tag.endswith("20261122") else old
-            moves.append({"repository": repository, "tag": tag, "old": before, "new": new})
+            origin = "" if tag.endswith("20261122") else before
+            moves.append({"repository": repository, "tag": tag, "old": origin, "new": new})
         book.write(Entry(target, INDEX, repository=repository, digest=new, date=RUN), {})
     for number in range(40):  # entries that nobody has to read
         book.write(Entry(f"image-{number}", INDEX, repository="ros", digest=oci.digest_of(b"%d" % number)), {})
     book.artifact("undo.20261122T030000Z", json.dumps({"date": RUN, "moves": moves}).encode(), {store.ANNOTATION: "{}"})
-    return found
+    return digests
 
 
 def test_undo_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with Registry(server.address) as client:
-        found = published(client)
+        digests = published(client)
         before = len(server.requests)
         code = command.run(script.main, arguments=["undo", RUN, "--registry", f"{server.address}/{PREFIX}", "--json"])
-        said = capsys.readouterr()
-        assert code == 0, said.err
+        printed = capsys.readouterr()
+        assert code == 0, printed.err
         reads = [line for line in server.requests[before:] if "/records/manifests/image-" in line]
         assert reads == [], "the records' other entries are nobody's business"
-        assert {item["state"] for item in json.loads(said.out)["outcomes"]} == {"done"}
-        assert client.head(f"{PREFIX}/ros", TAGS[0]) == found["ros"][0]
-        assert client.head(f"{PREFIX}/part", "torch-cpu-py312") == found["part"][0]
+        assert {item["state"] for item in json.loads(printed.out)["outcomes"]} == {"done"}
+        assert client.head(f"{PREFIX}/ros", TAGS[0]) == digests["ros"][0]
+        assert client.head(f"{PREFIX}/part", "torch-cpu-py312") == digests["part"][0]
         assert client.head(f"{PREFIX}/ros", TAGS[1]) == "", "it was not there before"
         book = Records(Place(client, PREFIX))
         for target in ("jazzy-base", "part-torch-cpu-py312"):
@@ -95,21 +95,21 @@ def test_undo_says_what_a_registry_that_deletes_nothing_keeps(
     server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with Registry(server.address) as client:
-        found = published(client)
+        digests = published(client)
         server.fault("DELETE", "/manifests/", 405, times=99)
         with pytest.raises(SystemExit) as ended:
             command.run(script.main, arguments=["undo", RUN, "--registry", f"{server.address}/{PREFIX}", "--json"])
         (failed,) = [item for item in json.loads(capsys.readouterr().out)["outcomes"] if item["state"] == "failed"]
         assert ended.value.code == 1 and failed["target"] == f"ros:{TAGS[1]}"
         assert "deletes no tag by its name" in failed["reason"] and "its own tools" in failed["reason"]
-        assert client.head(f"{PREFIX}/ros", TAGS[0]) == found["ros"][0]
+        assert client.head(f"{PREFIX}/ros", TAGS[0]) == digests["ros"][0]
 
 
 def test_a_tag_that_a_later_run_moved_to_the_same_index_stays(
     server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with Registry(server.address) as client:
-        old, new = published(client)["ros"]
+        before, new = published(client)["ros"]
         moves = [{"repository": "ros", "tag": TAGS[0], "old": oci.digest_of(b"another"), "new": new}]
         later = json.dumps({"date": "2026-11-23T03:00:00Z", "moves": moves})
         Records(Place(client, PREFIX)).artifact("undo.20261123T030000Z", later.encode(), {store.ANNOTATION: "{}"})
@@ -120,47 +120,38 @@ def test_a_tag_that_a_later_run_moved_to_the_same_index_stays(
         command.run(script.main, arguments=[*arguments, "--json"])
         outcomes = {item["target"]: item for item in json.loads(capsys.readouterr().out)["outcomes"]}
         assert (outcomes[f"ros:{TAGS[0]}"]["state"], outcomes[f"ros:{TAGS[0]}"]["reason"]) == ("waits", says)
-        assert client.head(f"{PREFIX}/ros", TAGS[0]) == new != old
+        assert client.head(f"{PREFIX}/ros", TAGS[0]) == new != before
 
 
-def test_an_empty_word_is_no_run(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize(
+    ("words", "code", "error"),
+    [
+        (["undo", ""], 2, "the run is an empty word"),
+        (["undo", "2020-01-01T00:00:00Z"], 1, "no record of a run of 2020"),
+        (["undo"], 2, "no run was named"),
+    ],
+)
+def test_undo_wants_a_run_that_is_sure_to_be_meant(
+    server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str], words: list[str], code: int, error: str
+) -> None:
     with Registry(server.address) as client:
         new = published(client)["ros"][1]
-        assert command.run(script.main, arguments=["undo", "", "--registry", f"{server.address}/{PREFIX}"]) == 2
-        assert "the run is an empty word" in capsys.readouterr().err
+        assert command.run(script.main, arguments=[*words, "--registry", f"{server.address}/{PREFIX}"]) == code
+        assert error in capsys.readouterr().err
         assert client.head(f"{PREFIX}/ros", TAGS[0]) == new
 
 
-def test_undo_without_a_place_says_how_to_name_one(clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.run(script.main, arguments=["undo"]) == 1
-    assert "--registry" in capsys.readouterr().err
-
-
-def test_prune_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Its matrix names the repositories; no lock is read."""
+@pytest.mark.parametrize("extends", [False, True])
+def test_prune_needs_only_a_registry_and_a_matrix(
+    server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str], extends: bool
+) -> None:
+    """Also a set, whose file has neither components nor systems of its own. No lock is read."""
+    (clone / "set.yaml").write_text(
+        "extends: rosml\ndistributions:\n  jazzy:\ndefault: {targets: [jazzy-core], group: [jazzy-core]}\n"
+    )
     with Registry(server.address) as client:
         published(client)
     arguments = ["prune", "--registry", f"{server.address}/{PREFIX}", "--json"]
-    assert command.run(script.main, arguments=arguments) == 0
+    assert command.run(script.main, arguments=[*arguments, *(["--matrix", f"{clone}/set.yaml"] * extends)]) == 0
     assert json.loads(capsys.readouterr().out)["kept"] == 3
     assert not (clone / ".state").exists()
-
-
-def test_prune_reads_a_set(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    """Whose file has neither components nor systems of its own."""
-    own = clone / "set.yaml"
-    own.write_text("extends: rosml\ndistributions:\n  jazzy:\ndefault: {targets: [jazzy-core], group: [jazzy-core]}\n")
-    place = f"{server.address}/{PREFIX}"
-    with Registry(server.address) as client:
-        published(client)
-    assert command.run(script.main, arguments=["prune", "--registry", place, "--matrix", str(own), "--json"]) == 0
-    assert json.loads(capsys.readouterr().out)["kept"] == 3
-
-
-def test_moves_are_reported_as_a_table_too(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    with Registry(server.address) as client:
-        published(client)
-    place = f"{server.address}/{PREFIX}"
-    assert command.run(script.main, arguments=["undo", RUN, "--registry", place]) == 0
-    assert "undo: 3 done" in capsys.readouterr().out
-    assert command.run(script.main, arguments=["undo", "2020-01-01T00:00:00Z", "--registry", place]) == 1
