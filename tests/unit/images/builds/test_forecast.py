@@ -24,6 +24,9 @@ CUDA, COMMON, TORCH = 2 * 1000 + 2 * 100, 2 * 300 + 2 * 30, 2 * 2000 + 2 * 200
         ("alpha-core", [], OS + COMPONENT),
         ("alpha-desktop", [], OS + 3 * COMPONENT),
         ("alpha-core", ["alpha-core"], 0),
+        ("alpha-desktop", ["alpha-core"], 2 * COMPONENT),
+        ("alpha-core", ["_os-ubuntu-24-04"], COMPONENT),
+        ("alpha-base-torch-cu1", ["alpha-core", "cuda-cu1", "common-cu1-py312", "torch-cu1-py312"], COMPONENT),
         ("alpha-core-torch-cu1", [], OS + COMPONENT + CUDA + COMMON + TORCH),
         ("alpha-core-torch-cu1", ["alpha-core"], CUDA + COMMON + TORCH),
         ("alpha-core-torch-cu1", ["cuda-cu1", "common-cu1-py312"], OS + COMPONENT + TORCH),
@@ -32,23 +35,7 @@ CUDA, COMMON, TORCH = 2 * 1000 + 2 * 100, 2 * 300 + 2 * 30, 2 * 2000 + 2 * 200
     ],
 )
 def test_needed(small: ImageSet, target: str, built: list[str], needed: int) -> None:
-    found = disk.needed_mb(small, small.image(target), built)
-    assert found == needed
-
-
-@pytest.mark.parametrize(
-    ("target", "built", "needed"),
-    [
-        ("alpha-base", ["alpha-core"], COMPONENT),
-        ("alpha-desktop", ["alpha-core"], 2 * COMPONENT),
-        ("alpha-core", ["_os-ubuntu-24-04"], COMPONENT),
-        ("alpha-base-torch-cu1", ["alpha-core", "cuda-cu1", "common-cu1-py312", "torch-cu1-py312"], COMPONENT),
-    ],
-)
-def test_what_lies_below_is_not_the_image(small: ImageSet, target: str, built: list[str], needed: int) -> None:
-    """The component below is there; the component itself still has to be installed."""
-    found = disk.needed_mb(small, small.image(target), built)
-    assert found == needed
+    assert disk.needed_mb(small, small.image(target), built) == needed
 
 
 def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
@@ -63,6 +50,8 @@ def test_enough(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     lines: list[str] = []
     disk.require(tmp_path, 5_000, "a", lines.append)
     assert lines == ["a needs about 5.0 GB of disk; 7.0 GB are free"]
+    free(monkeypatch, 1)
+    disk.require(tmp_path, 0, "a", pytest.fail)
 
 
 def test_too_little(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -76,47 +65,41 @@ def test_too_little(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert "rosml list" in caught.value.remedy
 
 
-def test_nothing_to_build_needs_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    free(monkeypatch, 1)
-    disk.require(tmp_path, 0, "a", pytest.fail)
-
-
-@pytest.mark.parametrize(("before", "after", "told"), [(4_000, 9_000, 1), (4_000, 5_000, 2)])
+@pytest.mark.parametrize(("before", "after", "count"), [(4_000, 9_000, 1), (4_000, 5_000, 2)])
 def test_room_is_made_before_a_build(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, before: int, after: int, told: int
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, before: int, after: int, count: int
 ) -> None:
-    """The builder prunes so much that the forecast and the reserve are free; if that is too little, people are told."""
-    found = services(tmp_path, buildx=buildx(tmp_path, ""))
-    said: list[str] = []
+    machine = services(tmp_path, buildx=buildx(tmp_path, ""))
+    lines: list[str] = []
 
     def usage(_: Path) -> object:
         pruned = any(call.startswith("buildx prune") for call in calls(tmp_path))
         return SimpleNamespace(free=(after if pruned else before) * 1_000_000)
 
     monkeypatch.setattr(shutil, "disk_usage", usage)
-    assert not disk.make_room(found, before - disk.RESERVE_MB, said.append)
-    assert calls(tmp_path) == said == []
-    assert disk.make_room(found, 6_000, said.append)
+    assert not disk.make_room(machine, before - disk.RESERVE_MB, lines.append)
+    assert calls(tmp_path) == lines == []
+    assert disk.make_room(machine, 6_000, lines.append)
     assert calls(tmp_path) == ["buildx prune --builder rosml --force --all --min-free-space 8000MB"]
-    assert said[0] == "4.0 GB are free, and 8.0 GB needed: the builder prunes its cache" and len(said) == told
-    assert "runner in matrix.yaml" in said[-1] or told == 1
+    assert lines[0] == "4.0 GB are free, and 8.0 GB needed: the builder prunes its cache" and len(lines) == count
+    assert "runner in matrix.yaml" in lines[-1] or count == 1
 
 
 def test_somebodys_own_builder_keeps_its_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     free(monkeypatch, 1)
-    found = services(tmp_path, buildx=buildx(tmp_path, ""), builder_kind="user")
-    assert not disk.make_room(found, 6_000, lambda _: None) and calls(tmp_path) == []
+    machine = services(tmp_path, buildx=buildx(tmp_path, ""), builder_kind="user")
+    assert not disk.make_room(machine, 6_000, lambda _: None) and calls(tmp_path) == []
 
 
 def test_a_cache_that_cannot_be_pruned_ends_no_build(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     free(monkeypatch, 1)
-    said: list[str] = []
-    assert disk.make_room(services(tmp_path, buildx=["/nowhere/buildx"]), 6_000, said.append)
-    assert "was not pruned" in said[1]
+    lines: list[str] = []
+    assert disk.make_room(services(tmp_path, buildx=["/nowhere/buildx"]), 6_000, lines.append)
+    assert "was not pruned" in lines[1]
 
 
 @pytest.mark.parametrize(
-    ("target", "there", "needed"),
+    ("target", "present", "needed"),
     [
         ("alpha-core-torch-cu1", set(), OS + COMPONENT + 1000 + 100 + 300 + 30 + 2000 + 200),
         ("alpha-core-torch-cu1", {"alpha-core", "cuda-cu1"}, 300 + 30 + 2000 + 200),
@@ -124,9 +107,5 @@ def test_a_cache_that_cannot_be_pruned_ends_no_build(tmp_path: Path, monkeypatch
         ("alpha-desktop", {"alpha-desktop"}, 0),
     ],
 )
-def test_what_a_test_unpacks(small: ImageSet, target: str, there: set[str], needed: int) -> None:
-    assert disk.tested_mb(small, small.image(target), there) == needed
-
-
-def test_gigabytes() -> None:
-    assert [disk.gigabytes(size) for size in (0, 999, 12345)] == ["0.0 GB", "1.0 GB", "12.3 GB"]
+def test_what_a_test_unpacks(small: ImageSet, target: str, present: set[str], needed: int) -> None:
+    assert disk.tested_mb(small, small.image(target), present) == needed

@@ -29,6 +29,22 @@ def test_labels(small: ImageSet) -> None:
         "io.rosml.cudnn": "9.10.2.21",
     }
     assert "io.rosml.stack" not in structure_tests.expected_labels(small.image("alpha-core"))
+    environment = structure_tests.expected_environment(small.image("alpha-core-ml-cu1"))
+    assert (environment["TORCH_VERSION"], environment["TENSORFLOW_VERSION"]) == ("2.10.0", "2.20.0")
+    bare = structure_tests.expected_environment(small.image("alpha-core"))
+    assert not {"TORCH_VERSION", "CUDA_VERSION"} & bare.keys()
+    own = parse(changed("  alpha:\n", "  alpha:\n    ros_distro: of-its-own\n")).image("alpha-core")
+    assert structure_tests.expected_environment(own)["ROS_DISTRO"] == "of-its-own"
+
+
+def test_flat_configs_have_one_order_and_no_gaps() -> None:
+    """The same labels are the same bytes: otherwise the builder would run the same tests again."""
+    empty = {"Env": [], "Entrypoint": [], "Cmd": [], "WorkingDir": "", "Labels": {}}
+    for config in ({}, {"config": {}}, {"config": {"Env": None, "Labels": None, "Cmd": None}}):
+        assert structure_tests.flat_config(config) == {"config": empty}
+    labels = [("io.rosml.os", "x"), ("io.rosml.ros", "2")]
+    one, other = ({"config": {"Labels": dict(items)}} for items in (labels, reversed(labels)))
+    assert json.dumps(structure_tests.flat_config(one)) == json.dumps(structure_tests.flat_config(other))
 
 
 GPUS = changed(
@@ -39,7 +55,6 @@ GPUS = changed(
 
 
 def test_labels_about_gpus() -> None:
-    """Of CUDA's oldest driver, and of what each framework was built for; of neither without CUDA."""
     image_set = parse(GPUS)
     expected = {"driver": "525", "torch.amd64": "sm_80 sm_90", "torch.arm64": "sm_110"}
     labels = structure_tests.expected_labels(image_set.image("alpha-core-ml-cu1"))
@@ -58,27 +73,6 @@ def test_a_generation_of_cuda_without_a_driver() -> None:
         parse(GPUS.replace('"12": "525"', '"13": "580"'))
     with pytest.raises(RosmlError, match=r"gpus.*: no architecture named 'arm63'"):
         parse(GPUS.replace("arm64: [sm_110]", "arm63: [sm_110]"))
-
-
-def test_environment(small: ImageSet) -> None:
-    env = structure_tests.expected_environment(small.image("alpha-core-ml-cu1"))
-    versions = {name: env.get(f"{name}_VERSION") for name in ("ROS", "TORCH", "TENSORFLOW", "CUDA", "CUDNN")}
-    assert versions == {
-        "ROS": "2",
-        "TORCH": "2.10.0",
-        "TENSORFLOW": "2.20.0",
-        "CUDA": "12.8.90",
-        "CUDNN": "9.10.2.21",
-    }
-    assert (env["ROS_DISTRO"], env["WORKSPACE"], env["DOCKER_UID"]) == ("alpha", "/docker-ros/ws", "")
-    assert (
-        not {"TORCH_VERSION", "CUDA_VERSION"} & structure_tests.expected_environment(small.image("alpha-core")).keys()
-    )
-
-
-def test_ros_distro_of_its_own() -> None:
-    image_set = parse(changed("  alpha:\n", "  alpha:\n    ros_distro: of-its-own\n"))
-    assert structure_tests.expected_environment(image_set.image("alpha-core"))["ROS_DISTRO"] == "of-its-own"
 
 
 def test_what_the_test_stage_gets(tmp_path: Path, small: ImageSet) -> None:
@@ -110,21 +104,6 @@ def test_what_the_test_stage_gets(tmp_path: Path, small: ImageSet) -> None:
     assert {"key": "io.rosml.torch", "value": "2.10.0"} in test["metadataTest"]["labels"]
     assert {"key": "TORCH_VERSION", "value": "2.10.0"} in test["metadataTest"]["envVars"]
     assert test["metadataTest"]["entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
-
-
-@pytest.mark.parametrize("config", [{}, {"config": {}}, {"config": {"Env": None, "Labels": None, "Cmd": None}}])
-def test_config_that_says_nothing(config: dict[str, Any]) -> None:
-    empty = {"Env": [], "Entrypoint": [], "Cmd": [], "WorkingDir": "", "Labels": {}}
-    assert structure_tests.flat_config(config) == {"config": empty}
-
-
-def test_labels_in_one_order() -> None:
-    """The same labels are the same bytes: otherwise the builder would run the same tests again."""
-    one, other = ({"config": {"Labels": dict(items)}} for items in (LABELS, reversed(LABELS)))
-    assert json.dumps(structure_tests.flat_config(one)) == json.dumps(structure_tests.flat_config(other))
-
-
-LABELS = [("io.rosml.os", "x"), ("io.rosml.ros", "2")]
 
 
 # ---- Reports ---------------------------------------------------------------------------------------------------------
@@ -166,20 +145,12 @@ def test_a_file_without_a_test_is_a_failure(tmp_path: Path, text: str) -> None:
 
 @pytest.mark.parametrize("text", ["", "{", "{}", "[]", "null", "Segmentation fault"])
 def test_a_report_that_is_none_is_a_failure(tmp_path: Path, text: str) -> None:
+    assert reported(tmp_path).failed == (Outcome("contract", "the test runner", False, 0.0, "did not start"),)
+    (tmp_path / "other.json").write_text(results({"Name": "a", "Pass": True}))
     (tmp_path / "torch.log").write_text("x" * 5000 + "killed")
     (failure,) = reported(tmp_path, torch=text).failed
     assert (failure.file, failure.name, len(failure.detail)) == ("torch", "the test runner", 2000)
     assert failure.detail.endswith("killed")
-
-
-def test_a_file_without_a_report_is_a_failure(tmp_path: Path) -> None:
-    (failure,) = reported(tmp_path).failed
-    assert failure == Outcome("contract", "the test runner", False, 0.0, "did not start")
-
-
-def test_a_report_that_nobody_asked_for_does_not_count(tmp_path: Path) -> None:
-    (tmp_path / "other.json").write_text(results({"Name": "a", "Pass": True}))
-    assert reported(tmp_path, contract=results({"Name": "a", "Pass": True})).passed == 1
 
 
 @pytest.mark.parametrize("text", ["", "much", None])
@@ -196,7 +167,6 @@ def test_long_output_is_cut_to_its_end(tmp_path: Path) -> None:
 
 
 def test_a_full_disk_is_no_failed_test() -> None:
-    """Nothing is recorded of the image, since the test says nothing of it."""
     full = Outcome("torch", "it imports", False, 1.0, "OSError: [Errno 28] No space left on device: '/tmp/x'")
     with pytest.raises(RosmlError, match="the disk got full while alpha-core was tested"):
         structure_tests.require_space(Report((full,), 0), "alpha-core")

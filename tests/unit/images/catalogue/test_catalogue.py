@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from click.testing import CliRunner
-from conftest import ROOT, SMALL, parse, write_locks
+from conftest import SMALL, parse, write_locks
 
 from fakes.memory_registry import DAY, NEXT, PREFIX, MemoryRegistry, Publisher, publisher
 from fakes.projects import copy
@@ -21,13 +21,12 @@ from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.cli.images import catalogue as command
 from rosml.images.catalogue import packages, site
-from rosml.images.catalogue.model import Image, Published, status
+from rosml.images.catalogue.model import Image, Published
 from rosml.images.catalogue.model import Tests as Ran
 from rosml.images.catalogue.read import Gatherer
 from rosml.images.image_set import locked
 from rosml.images.image_set.labels import COVERED
 from rosml.images.image_set.model import ImageSet
-from rosml.images.matrix import schema
 from rosml.images.records import store, tag_moves
 from rosml.registry.place import Place
 
@@ -39,8 +38,8 @@ def gather(registry: MemoryRegistry, image_set: ImageSet, *only: str, history: i
     return Gatherer(image_set, Place(registry, PREFIX), history).gather(NOW, only)
 
 
-def image(found: Published, target: str) -> Image:
-    return next(item for item in found.images if item.target == target)
+def image(catalogue: Published, target: str) -> Image:
+    return next(item for item in catalogue.images if item.target == target)
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +48,7 @@ def shelf(real: ImageSet) -> Shelf:
 
 
 @pytest.fixture(scope="module")
-def found(shelf: Shelf) -> Published:
+def catalogue(shelf: Shelf) -> Published:
     return gather(shelf.registry, shelf.image_set)
 
 
@@ -95,7 +94,6 @@ def test_what_a_run_published(published: tuple[Publisher, ImageSet]) -> None:
 
 
 def test_signatures_are_those_of_the_records(published: tuple[Publisher, ImageSet]) -> None:
-    """Whose identity could be more than a word in a shell is left out."""
     where, image_set = published
     records, workflow = store.Records(where.place), "https://github.com/me/x/.github/workflows/n.yml@refs/heads/main"
     entry = records.read("alpha-base", store.INDEX)
@@ -124,39 +122,26 @@ def test_a_tag_that_was_moved_back_is_told_as_it_is(published: tuple[Publisher, 
 # ---- History, parts and layers ---------------------------------------------------------------------------------------
 
 
-def test_every_image_of_the_matrix_is_there(found: Published, real: ImageSet) -> None:
-    assert [item.target for item in found.images] == [item.target for item in real.images if item.tags]
-    published = {item.target for item in found.images if item.status == "built"}
+def test_every_image_of_the_matrix_is_there(catalogue: Published, real: ImageSet) -> None:
+    assert [item.target for item in catalogue.images] == [item.target for item in real.images if item.tags]
+    published = {item.target for item in catalogue.images if item.status == "built"}
     assert published == {
         i.target for i in real.images if i.distribution in ("ros1-bookworm", "ros1-trixie") and i.locked and i.tags
     }
-    assert all(bool(item.builds) == (item.status == "built") for item in found.images)
+    assert all(bool(item.builds) == (item.status == "built") for item in catalogue.images)
 
 
-def test_history(found: Published) -> None:
-    item = image(found, TORCH)
+def test_history(catalogue: Published) -> None:
+    item = image(catalogue, TORCH)
     assert [build.created for build in item.builds] == [THIRD, SECOND, FIRST]
     assert [build.tags[-1] for build in item.builds] == [
         f"ros1-bookworm-base-cu128-{day}" for day in (20261122, 20261121, 20261120)
     ]
     assert [move.run for move in item.moves] == [THIRD, SECOND, FIRST]
-    assert [(move.old, move.new) for move in item.moves][:2] == [
-        (item.builds[1].digest, item.builds[0].digest),
-        (item.builds[2].digest, item.builds[1].digest),
-    ]
+    assert (item.moves[0].old, item.moves[0].new) == (item.builds[1].digest, item.builds[0].digest)
     numpy = [build.platforms[0].versions["numpy"] for build in item.builds]
-    assert numpy == ["1.26.5", "1.26.4", "1.26.4"], "each as it was found then"
+    assert numpy == ["1.26.5", "1.26.4", "1.26.4"], "each as it was catalogue then"
     assert [build.platforms[0].ros_sync for build in item.builds] == ["lists-2", "lists-2", "lists-1"]
-
-
-def test_history_of_what_has_no_tag_ends_somewhere(real: ImageSet) -> None:
-    shelf = shown(real)
-    names = shelf.registry.names[f"{PREFIX}/ros-torch"]
-    for day in (20261121, 20261120):
-        del names[f"ros1-bookworm-base-cu128-{day}"]
-    item = image(gather(shelf.registry, shelf.image_set, TORCH, history=1), TORCH)
-    assert [build.created for build in item.builds] == [THIRD, SECOND]
-    assert [bool(build.tags) for build in item.builds] == [True, False]
 
 
 def test_whatever_a_tag_points_at_is_described(real: ImageSet) -> None:
@@ -165,45 +150,45 @@ def test_whatever_a_tag_points_at_is_described(real: ImageSet) -> None:
     for night in range(12):
         shelf.torch = str(night)
         shelf.night(f"2026-11-{11 + night}T03:00:00Z", ["ros1-bookworm"])
-    found = gather(shelf.registry, shelf.image_set, TORCH)
-    torch = next(part for part in found.parts if part.name == "torch-cu128-py311")
-    for item in (image(found, TORCH), torch):
+    catalogue = gather(shelf.registry, shelf.image_set, TORCH)
+    torch = next(part for part in catalogue.parts if part.name == "torch-cu128-py311")
+    names = shelf.registry.names[f"{PREFIX}/ros-torch"]
+    for day in range(20261111, 20261122):
+        del names[f"ros1-bookworm-base-cu128-{day}"]
+    short = image(gather(shelf.registry, shelf.image_set, TORCH, history=1), TORCH)
+    assert [bool(build.tags) for build in short.builds] == [True, False], "history without a tag ends somewhere"
+    for item in (image(catalogue, TORCH), torch):
         assert len([tag for tag in item.tags if tag.kind == "dated"]) == 12
         assert {tag.digest for tag in item.tags} == {build.digest for build in item.builds}
         assert [build.created[8:10] for build in item.builds] == [str(day) for day in range(22, 10, -1)]
 
 
-def test_layers_are_those_of_the_part_that_brought_them(found: Published) -> None:
-    item = image(found, TORCH)
+def test_layers_are_those_of_the_part_that_brought_them(catalogue: Published) -> None:
+    item = image(catalogue, TORCH)
     (platform,) = item.builds[0].platforms
-    parts = [found.layers[position].part for position in platform.layers]
-    assert list(dict.fromkeys(parts)) == [
-        "ros1-bookworm-core",
-        "ros1-bookworm-base",
-        "cuda-cu128",
-        "common-cu128-py311",
-        "torch-cu128-py311",
-    ]
+    parts = [catalogue.layers[position].part for position in platform.layers]
+    below = ["ros1-bookworm-core", "ros1-bookworm-base"]
+    assert list(dict.fromkeys(parts)) == [*below, "cuda-cu128", "common-cu128-py311", "torch-cu128-py311"]
     assert list(platform.parts) == list(dict.fromkeys(parts))
     old = item.builds[2].platforms[0]
-    assert [found.layers[position].part for position in old.layers] == parts, "of builds before as well"
+    assert [catalogue.layers[position].part for position in old.layers] == parts, "of builds before as well"
 
 
-def test_unpacked_sizes_are_measured_or_not_told(found: Published, real: ImageSet) -> None:
-    parts = image(found, TORCH).builds[0].platforms[0].parts
+def test_unpacked_sizes_are_measured_or_not_told(catalogue: Published, real: ImageSet) -> None:
+    parts = image(catalogue, TORCH).builds[0].platforms[0].parts
     disk = {part.name: part.disk.unpacked * 1_000_000 for part in real.parts}
     assert parts["cuda-cu128"].unpacked == disk["cuda-cu128"], "what the image with CUDA alone has more than ROS"
     assert parts["ros1-bookworm-base"].unpacked == real.matrix.disk.components["base"].unpacked * 1_000_000
     assert parts["torch-cu128-py311"].unpacked is None, "never without the common part, which nobody measured alone"
 
 
-def test_packages_are_read_from_the_sboms_that_an_index_names(shelf: Shelf, found: Published) -> None:
-    (platform,) = image(found, TORCH).builds[0].platforms
-    named = [found.sboms[position] for position in platform.sboms]
+def test_packages_are_read_from_the_sboms_that_an_index_names(shelf: Shelf, catalogue: Published) -> None:
+    (platform,) = image(catalogue, TORCH).builds[0].platforms
+    named = [catalogue.sboms[position] for position in platform.sboms]
     parts = ["part-common-cu128-py311", "part-cuda-cu128", "part-torch-cu128-py311", "ros1-bookworm-base"]
     assert [item.part for item in named] == parts
     assert [item.repository for item in named] == ["part", "part", "part", "ros"]
-    read, unread = packages.read(Place(shelf.registry, PREFIX), found)
+    read, unread = packages.read(Place(shelf.registry, PREFIX), catalogue)
     assert (unread, read[named[2].digest]) == ([], [("pillow", "11.0", "pypi"), ("torch", "2.2", "pypi")])
     alone = gather(shelf.registry, shelf.image_set, TORCH)
     bases = [alone.sboms[build.platforms[0].sboms[3]].digest for build in alone.images[0].builds]
@@ -236,74 +221,53 @@ def test_vulnerabilities_have_names_and_what_is_none_is_left_out(real: ImageSet)
         item = image(gather(shelf.registry, real, "ros1-bookworm-core"), "ros1-bookworm-core")
         scan = next(p.scan for p in item.builds[0].platforms if p.platform == "linux/amd64")
         assert scan and scan.findings == {"medium": 3}
-        assert [found.id for found in scan.named] == ["CVE-2026-1000"] * expected
+        assert [catalogue.id for catalogue in scan.named] == ["CVE-2026-1000"] * expected
 
 
 def test_an_sbom_that_is_none_is_left_out(real: ImageSet) -> None:
     """Anybody who may push can write any annotation, and attach anything."""
     shelf = Shelf(real)
     shelf.night(FIRST, ["ros1-bookworm"])
-    found = gather(shelf.registry, real, "ros1-bookworm-core")
-    amd64, arm64 = (platform.sboms[0] for platform in found.images[0].builds[0].platforms)
-    del shelf.registry.manifests[f"{PREFIX}/ros"][found.sboms[amd64].digest]
-    read, unread = packages.read(Place(shelf.registry, PREFIX), found)
-    assert list(read) == [found.sboms[arm64].digest]
+    catalogue = gather(shelf.registry, real, "ros1-bookworm-core")
+    amd64, arm64 = (platform.sboms[0] for platform in catalogue.images[0].builds[0].platforms)
+    del shelf.registry.manifests[f"{PREFIX}/ros"][catalogue.sboms[amd64].digest]
+    read, unread = packages.read(Place(shelf.registry, PREFIX), catalogue)
+    assert list(read) == [catalogue.sboms[arm64].digest]
     assert unread == ["the SBOM of ros1-bookworm-core is left out: its SBOM is not there"]
     index = shelf.registry.manifest(f"{PREFIX}/ros", "ros1-bookworm-core")
     assert index
     for item in index.content["manifests"]:
-        item["annotations"] = {f"{COVERED}ros1-bookworm-core": f"../{found.sboms[amd64].digest}", f"{COVERED}x": "y"}
+        item["annotations"] = {
+            f"{COVERED}ros1-bookworm-core": f"../{catalogue.sboms[amd64].digest}",
+            f"{COVERED}x": "y",
+        }
     digest = shelf.registry.put_manifest(f"{PREFIX}/ros", "", index.content, index.media_type)
     shelf.registry.names[f"{PREFIX}/ros"]["ros1-bookworm-core"] = digest
     (item,) = gather(shelf.registry, real, "ros1-bookworm-core").images
     assert [platform.sboms for platform in item.builds[0].platforms] == [(), ()]
 
 
-def test_sharing_is_counted(found: Published) -> None:
-    digests: dict[str, int] = {}
-    apart = 0
-    for item in found.images:
-        for platform in item.builds[0].platforms if item.builds else ():
-            for position in platform.layers:
-                layer = found.layers[position]
-                digests[layer.digest] = layer.compressed
-                apart += layer.compressed
-    assert (found.sharing.apart, found.sharing.stored) == (apart, sum(digests.values()))
-    assert found.sharing.stored < apart / 10
-
-
-def test_words_for_a_search_come_from_the_matrix(found: Published, real: ImageSet) -> None:
-    item = image(found, "jazzy-base-torch-cu130")
-    assert {"noble", "ubuntu 24.04", "py312", "ros2", "lts", "gpu", "jetson", "driver 580", "pytorch"} <= set(
-        item.search
-    )
-    assert {"aarch64", "x86_64", "linux/arm64", "sm_110"} <= set(item.search)
+def test_words_for_a_search_come_from_the_matrix(catalogue: Published, real: ImageSet) -> None:
+    item = image(catalogue, "jazzy-base-torch-cu130")
+    words = {"noble", "ubuntu 24.04", "py312", "ros2", "lts", "gpu", "jetson", "driver 580", "pytorch", "aarch64"}
+    assert words <= set(item.search)
     assert item.promised_tags == tuple(tag.partition(":")[2] for tag in real.by_target[item.target].tags)
     assert "jazzy" in item.promised_tags and not item.tags, "though none of them is published"
-    bare = set(image(found, "ros1-bookworm-core").search)
+    bare = set(image(catalogue, "ros1-bookworm-core").search)
     assert {"debian 12", "bookworm", "debian:bookworm"} <= bare and not {"gpu", "cuda", "jetson", "lts"} & bare
-    assert not {"jetson", "aarch64"} & set(image(found, "jazzy-wheels-core-torch-cu130").search), "for amd64 alone"
-    onnx = set(image(found, "jazzy-base-onnx-cu130").search)
-    assert {"onnx", "onnxruntime", "aarch64"} <= onnx and "jetson" not in onnx, "it was built for other GPUs"
+    onnx = set(image(catalogue, "jazzy-base-onnx-cu130").search)
+    assert {"onnxruntime", "aarch64"} <= onnx and "jetson" not in onnx, "it was built for other GPUs"
 
 
-def test_addons_are_in_it(found: Published, real: ImageSet) -> None:
-    """With the words by which people look for them; and each image has those that it can take."""
-    assert {name: addon.restricted for name, addon in found.addons.items()} == {
-        "onnx": False,
-        "devel": True,
-        "triton": False,
-        "tensorrt-rtx": True,
-    }
-    assert (found.addons["devel"].title, found.addons["devel"].stacks) == ("nvcc", ("cu130", "cu132"))
-    assert {"onnx", "onnxruntime"} <= {*found.addons["onnx"].words} and "nvcc" in found.addons["devel"].words
-    item = image(found, "jazzy-base-torch-cu130")
-    assert (item.addons, [*item.takes]) == ((), ["onnx", "devel", "triton", "tensorrt-rtx"])
-    assert item.takes["tensorrt-rtx"].platforms == ("linux/amd64", "linux/arm64")
-    assert item.takes["devel"].parts == ("devel-cu130",)
-    assert image(found, "jazzy-base-onnx-cu130").addons == ("onnx",)
-    assert image(found, "jazzy-base").takes["onnx-cpu"].addon == "onnx"
-    assert all({*taken.parts} <= {*real.part_by_name} for each in found.images for taken in each.takes.values())
+def test_addons_are_in_it(catalogue: Published, real: ImageSet) -> None:
+    assert catalogue.addons["devel"].restricted and not catalogue.addons["onnx"].restricted
+    assert (catalogue.addons["devel"].title, catalogue.addons["devel"].stacks) == ("nvcc", ("cu130", "cu132"))
+    assert {"onnx", "onnxruntime"} <= {*catalogue.addons["onnx"].words}
+    item = image(catalogue, "jazzy-base-torch-cu130")
+    assert item.addons == () and item.takes["devel"].parts == ("devel-cu130",)
+    assert image(catalogue, "jazzy-base-onnx-cu130").addons == ("onnx",)
+    assert image(catalogue, "jazzy-base").takes["onnx-cpu"].addon == "onnx"
+    assert all({*taken.parts} <= {*real.part_by_name} for each in catalogue.images for taken in each.takes.values())
 
 
 def test_only_some(shelf: Shelf) -> None:
@@ -318,11 +282,21 @@ def test_only_some(shelf: Shelf) -> None:
 # ---- What is not as it should be -------------------------------------------------------------------------------------
 
 
+def test_sharing_is_counted(catalogue: Published) -> None:
+    built = [item.builds[0] for item in catalogue.images if item.builds]
+    layers = [catalogue.layers[position] for build in built for p in build.platforms for position in p.layers]
+    stored = {layer.digest: layer.compressed for layer in layers}
+    assert catalogue.sharing.apart == sum(layer.compressed for layer in layers)
+    assert catalogue.sharing.stored == sum(stored.values()) < catalogue.sharing.apart / 10
+
+
 def test_an_empty_registry(real: ImageSet) -> None:
-    found = gather(MemoryRegistry(), real)
-    assert {item.status for item in found.images} == {"not built"}
-    assert all(item.reason and not item.builds and not item.tags for item in found.images)
-    assert (found.sharing.images, found.sharing.apart, found.layers) == (0, 0, ())
+    catalogue = gather(MemoryRegistry(), real)
+    assert all((item.status, item.builds, item.tags) == ("not built", (), ()) for item in catalogue.images)
+    reasons = {item.target: item.reason for item in catalogue.images}
+    assert reasons["jazzy-base"] == "no publishing run has built it yet"
+    assert reasons["ros1-bookworm-base-torch-cpu"] == "locks/cpu/amd64/3.11/torch.txt is missing"
+    assert (catalogue.sharing.images, catalogue.sharing.apart, catalogue.layers) == (0, 0, ())
 
 
 def test_one_damaged_image_hides_no_other(real: ImageSet) -> None:
@@ -333,12 +307,12 @@ def test_one_damaged_image_hides_no_other(real: ImageSet) -> None:
     assert index
     del shelf.registry.manifests[path][index.content["manifests"][0]["digest"]]
     gatherer = Gatherer(real, Place(shelf.registry, PREFIX))
-    found = gatherer.gather(NOW)
+    catalogue = gatherer.gather(NOW)
     assert [remark.partition(" is left out")[0] for remark in gatherer.remarks] == [f"ros@{index.digest}"]
-    core = image(found, "ros1-bookworm-core")
+    core = image(catalogue, "ros1-bookworm-core")
     assert (core.status, core.builds) == ("not built", ())
     assert index.digest in core.reason
-    assert image(found, "ros1-bookworm-base").status == "built"
+    assert image(catalogue, "ros1-bookworm-base").status == "built"
 
 
 def test_a_registry_that_goes_away_is_no_damaged_image(real: ImageSet, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -379,14 +353,14 @@ def test_a_damaged_record_is_told(real: ImageSet, text: str) -> None:
 def without_what_is_attached(registry: MemoryRegistry) -> MemoryRegistry:
     """The images of a registry, with no tags and nothing attached to them."""
     images = {
-        path: {digest: found for digest, found in manifests.items() if not found.content.get("subject")}
+        path: {digest: manifest for digest, manifest in manifests.items() if not manifest.content.get("subject")}
         for path, manifests in registry.manifests.items()
     }
     return MemoryRegistry(manifests=images, blobs=registry.blobs)
 
 
-def test_an_image_without_a_run(real: ImageSet) -> None:
-    """Of which the records know nothing, as of one that `rosml join` tagged; a tag at a manifest without an index is told."""
+def test_what_the_records_do_not_know_is_described_without_them(real: ImageSet) -> None:
+    """Such as an image that `rosml join` tagged, or that a run published into another registry."""
     shelf = Shelf(real)
     shelf.night(FIRST, ["ros1-bookworm"])
     ros = f"{PREFIX}/ros"
@@ -394,113 +368,51 @@ def test_an_image_without_a_run(real: ImageSet) -> None:
     assert index
     member = index.content["manifests"][0]["digest"]
     bare = without_what_is_attached(shelf.registry)
-    bare.names[ros] = {"ros1-bookworm-core": member}
-    item = image(gather(bare, real), "ros1-bookworm-core")
+
+    def described(digest: str) -> Image:
+        bare.names[ros] = {"ros1-bookworm-core": digest}
+        return image(gather(bare, real), "ros1-bookworm-core")
+
+    item = described(member)
     assert (item.status, item.builds) == ("not built", ())
     assert item.reason == f"its tag points at {member}, which cannot be read"
     content = {name: value for name, value in index.content.items() if name != "annotations"}
-    bare.names[ros] = {"ros1-bookworm-core": bare.put_manifest(ros, "", content, index.media_type)}
-    item = image(gather(bare, real), "ros1-bookworm-core")
+    item = described(bare.put_manifest(ros, "", content, index.media_type))
     platform = item.builds[0].platforms[0]
     assert (item.status, item.builds[0].created, platform.platform) == ("built", "", "linux/amd64")
     assert (platform.tests, platform.scan, platform.size.unpacked, platform.inputs) == (None, None, None, "")
     assert (platform.versions, platform.found_inside) == ({"python": "3.11"}, False)
+    versions = {"ros-distro": "x"}
+    facts: dict[str, Any] = {"repository": "ros", "passed": 21, "versions": versions, "date": FIRST}
+    entry = store.Entry("ros1-bookworm-core", "amd64", digest=member, **facts)
+    store.Records(Place(bare, PREFIX)).attach(entry, {})
+    platform = described(index.digest).builds[0].platforms[0]
+    assert (platform.tests, platform.versions) == (Ran(passed=21, failures=()), versions), "from the attached entry"
 
 
-def test_an_image_that_was_published_by_itself(real: ImageSet) -> None:
-    """What a run of another registry found out is attached to the image."""
-    shelf = Shelf(real)
-    shelf.night(FIRST, ["ros1-bookworm"])
-    ros = f"{PREFIX}/ros"
-    index = shelf.registry.manifest(ros, "ros1-bookworm-core")
-    assert index
-    member = index.content["manifests"][0]["digest"]
-    bare = without_what_is_attached(shelf.registry)
-    bare.names[ros] = {"ros1-bookworm-core": index.digest}
-    entry = store.Entry(
-        "ros1-bookworm-core",
-        "amd64",
-        repository="ros",
-        digest=member,
-        passed=21,
-        versions={"ros-distro": "x"},
-        date=FIRST,
-    )
-    book = store.Records(Place(bare, PREFIX))
-    book.attach(entry, {})
-    build = image(gather(bare, real), "ros1-bookworm-core").builds[0]
-    assert (build.platforms[0].tests, build.platforms[0].versions) == (Ran(passed=21, failures=()), entry.versions)
-    with pytest.raises(RosmlError, match="not in the registry"):
-        book.attach(dataclasses.replace(entry, digest=f"sha256:{'0' * 64}"), {})
-
-
-def test_status(real: ImageSet) -> None:
-    assert status(real.image("jazzy-base"), True) == ("built", "")
-    assert status(real.image("jazzy-base"), False) == ("not built", "no publishing run has built it yet")
-    lacking = ("not built", "locks/cpu/amd64/3.11/torch.txt is missing")
-    assert status(real.image("ros1-bookworm-base-torch-cpu"), False) == lacking
-
-
-# ---- The format ------------------------------------------------------------------------------------------------------
-
-
-def fields(content: Any, schema: dict[str, Any], path: str = "") -> Iterator[str]:
-    """Every field of a schema, with its type: `images[].tags[].name string`."""
-    content = content if "$ref" not in content else schema["$defs"][content["$ref"].rsplit("/", 1)[1]]
-    if "anyOf" in content:
-        for item in content["anyOf"]:
-            yield from fields(item, schema, path)
-        return
-    kind = content.get("type") or type(content.get("const", (content.get("enum") or [""])[0])).__name__
-    yield f"{path} {kind}".strip()
-    for name, item in content.get("properties", {}).items():
-        yield from fields(item, schema, f"{path}.{name}".lstrip("."))
-    if isinstance(content.get("additionalProperties"), dict):
-        yield from fields(content["additionalProperties"], schema, f"{path}.*")
-    if "items" in content:
-        yield from fields(content["items"], schema, f"{path}[]")
-
-
-def test_what_format_1_promised_is_still_there() -> None:
-    """A reader of format 1 finds every field, of the type that it had. A new field may be added here; to take one away, or to
-    change its type, raise FORMAT and begin another file."""
-    committed = json.loads((ROOT / "catalogue.schema.json").read_text())
-    promised = (ROOT / "tests/unit/images/catalogue/catalogue-format-1.txt").read_text().splitlines()
-    assert len(promised) > 80
-    assert sorted(set(promised) - set(fields(committed, committed))) == []
-    optional = [name for name, item in committed["$defs"].items() if set(item["required"]) != set(item["properties"])]
-    assert optional == [], "every field is always there"
-
-
-def test_the_schema_is_that_of_the_model_and_open_to_later_fields() -> None:
-    text = (ROOT / "catalogue.schema.json").read_text()
-    assert text == schema.render(Published, "src/rosml/images/catalogue/model.py", read=True)
-    assert '"additionalProperties": false' not in text
-    assert '"additionalProperties": false' in schema.render(), "the matrix is held to its keys"
-
-
-def test_the_same_facts_give_the_same_text(shelf: Shelf, found: Published) -> None:
-    text = site.text(found)
+def test_the_same_facts_give_the_same_text(shelf: Shelf, catalogue: Published) -> None:
+    text = site.text(catalogue)
     assert text == site.text(gather(shelf.registry, shelf.image_set))
-    assert Published.model_validate_json(text) == found
+    assert Published.model_validate_json(text) == catalogue
 
 
 # ---- The folder and the command --------------------------------------------------------------------------------------
 
 
-def test_packages_of_builds_that_are_gone_go(tmp_path: Path, found: Published) -> None:
+def test_packages_of_builds_that_are_gone_go(tmp_path: Path, catalogue: Published) -> None:
     gone, kept = f"sha256:{'0' * 64}", f"sha256:{'1' * 64}"
-    site.write(tmp_path, found, {gone: [("a", "1", "deb")], kept: []})
+    site.write(tmp_path, catalogue, {gone: [("a", "1", "deb")], kept: []})
     (tmp_path / "packages/mine.js").write_text("mine")
-    site.write(tmp_path, found, {kept: [("\u2028</script>", "1", "deb")]})
+    site.write(tmp_path, catalogue, {kept: [("\u2028</script>", "1", "deb")]})
     assert sorted(file.name for file in (tmp_path / "packages").iterdir()) == [f"{'1' * 64}.js", "mine.js"]
     assert "\u2028" not in (tmp_path / f"packages/{'1' * 64}.js").read_text()
 
 
-def test_the_page_is_written_beside_its_data(tmp_path: Path, found: Published) -> None:
-    names = {file.name for file in site.write(tmp_path / "a/b", found)}
+def test_the_page_is_written_beside_its_data(tmp_path: Path, catalogue: Published) -> None:
+    names = {file.name for file in site.write(tmp_path / "a/b", catalogue)}
     assert {path.name for path in (tmp_path / "a/b").iterdir()} == names
-    assert names >= {"index.html", "style.css", "app.js", "data.js", "catalogue.json"}
+    page = (tmp_path / "a/b/index.html").read_text()
+    assert all(file.name == "index.html" or f'"{file.name}"' in page for file in site.SOURCES.iterdir())
     script, packaged = (tmp_path / "a/b/data.js").read_text().splitlines()
     inner = script.removeprefix("window.catalogue = JSON.parse(").removesuffix(");")
     assert packaged == "window.packaged = [];"
@@ -518,33 +430,33 @@ def longest_file(size: int) -> Iterator[None]:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
 
 
-def test_a_page_that_finds_no_room_changes_nothing(tmp_path: Path, found: Published) -> None:
+def test_a_page_that_finds_no_room_changes_nothing(tmp_path: Path, catalogue: Published) -> None:
     (tmp_path / "catalogue.json").write_text("before")
     (tmp_path / "CNAME").write_text("mine")
     size = max(file.stat().st_size for file in site.SOURCES.iterdir()) - 1
-    found = found.model_copy(
+    catalogue = catalogue.model_copy(
         update={"images": (), "parts": (), "layers": (), "sboms": ()}
     )  # there is room for the first files
-    assert len(site.text(found)) < size / 2
+    assert len(site.text(catalogue)) < size / 2
     with longest_file(size), pytest.raises(RosmlError, match="cannot be written"):
-        site.write(tmp_path, found)
+        site.write(tmp_path, catalogue)
     assert {file.name: file.read_text() for file in tmp_path.iterdir()} == {"catalogue.json": "before", "CNAME": "mine"}
 
 
-def test_a_page_stays_in_its_folder(tmp_path: Path, found: Published) -> None:
+def test_a_page_stays_in_its_folder(tmp_path: Path, catalogue: Published) -> None:
     other, folder = tmp_path / "other.html", tmp_path / "site"
     other.write_text("mine")
     folder.mkdir()
     (folder / "index.html").symlink_to(other)
     with pytest.raises(RosmlError, match=f"index.html is a link, to {other}") as caught:
-        site.write(folder, found)
+        site.write(folder, catalogue)
     assert "remove the link" in caught.value.remedy
     assert other.read_text() == "mine"
     assert [file.name for file in folder.iterdir()] == ["index.html"]
     (folder / "index.html").unlink()
     (folder / "index.html").symlink_to("start.html")
     with pytest.raises(RosmlError, match=r"index\.html is a link, to start\.html"):
-        site.write(folder, found)
+        site.write(folder, catalogue)
 
 
 @pytest.fixture
@@ -564,29 +476,13 @@ def call(*arguments: str) -> Any:
 
 
 @pytest.mark.usefixtures("here")
-def test_the_command_writes_a_page(tmp_path: Path) -> None:
+def test_the_command_writes_a_page_or_prints_json(tmp_path: Path) -> None:
+    done = call("--json", "--only", TORCH, "--output", str(tmp_path / "page"))
+    assert json.loads(done.stdout)["images"][0]["target"] == TORCH and not (tmp_path / "page").exists()
+    (tmp_path / "file").write_text("")
+    done = call("--only", TORCH, "--output", str(tmp_path / "file/page"))
+    assert isinstance(done.exception, RosmlError) and "choose a writable folder" in done.exception.remedy
     done = call("--output", str(tmp_path / "page"), "--only", f"{TORCH} ros1-bookworm-core")
     assert done.exit_code == 0, done.output
     assert "2 images described, 2 of them published in ghcr.io/rosml" in done.stderr
     assert done.stdout.strip() == (tmp_path / "page/index.html").as_uri()
-
-
-@pytest.mark.usefixtures("here")
-def test_the_command_prints_json(tmp_path: Path) -> None:
-    done = call("--json", "--only", TORCH, "--output", str(tmp_path / "page"))
-    assert json.loads(done.stdout)["images"][0]["target"] == TORCH
-    assert not (tmp_path / "page").exists()
-
-
-@pytest.mark.usefixtures("here")
-def test_a_folder_that_cannot_be_written(tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("")
-    done = call("--only", TORCH, "--output", str(tmp_path / "file/page"))
-    assert isinstance(done.exception, RosmlError) and "choose a writable folder" in done.exception.remedy
-
-
-def test_the_sources_of_the_page_are_all_loaded() -> None:
-    """A script that nobody loads is dead, one that is not there breaks the page."""
-    page = (site.SOURCES / "index.html").read_text()
-    for file in site.SOURCES.iterdir():
-        assert file.name == "index.html" or f'"{file.name}"' in page, file.name

@@ -24,11 +24,11 @@ NAMES = {"": feed.ATOM}
 
 ONCE = {"id", "title", "updated", "subtitle", "content"}
 REQUIRED = {"id", "title", "updated"}
-KNOWN = {"feed": {*REQUIRED, "subtitle", "link", "author", "entry"}, "entry": {*REQUIRED, "link", "content"}}
+ALLOWED = {"feed": {*REQUIRED, "subtitle", "link", "author", "entry"}, "entry": {*REQUIRED, "link", "content"}}
 
 
 @pytest.fixture(scope="module")
-def found(real: ImageSet) -> Published:
+def catalogue(real: ImageSet) -> Published:
     return gather(shown(real))
 
 
@@ -45,7 +45,7 @@ def parsed(published: Published) -> ET.Element:
     for element in (root, *root.findall("entry", NAMES)):
         children = [child.tag.removeprefix(f"{{{feed.ATOM}}}") for child in element]
         kind = element.tag.removeprefix(f"{{{feed.ATOM}}}")
-        assert set(children) >= REQUIRED and set(children) <= KNOWN[kind]
+        assert set(children) >= REQUIRED and set(children) <= ALLOWED[kind]
         assert all(children.count(name) <= 1 for name in ONCE)
         assert element.findtext("title", namespaces=NAMES)
         assert re.fullmatch(r"urn:uuid:[0-9a-f-]{36}", element.findtext("id", "", NAMES))
@@ -79,8 +79,8 @@ def line(content: str, target: str) -> str:
     return next(item.partition("</a>: ")[2] for item in content.split("</li>") if f"/image/{target}" in item)
 
 
-def test_a_run_is_an_entry_and_says_what_changed(found: Published) -> None:
-    root = parsed(found)
+def test_a_run_is_an_entry_and_says_what_changed(catalogue: Published) -> None:
+    root = parsed(catalogue)
     assert root.findtext("updated", namespaces=NAMES) == THIRD
     third, second, first = entries(root)
     assert [third[0], second[0], first[0]] == [THIRD, SECOND, FIRST]
@@ -92,47 +92,44 @@ def test_a_run_is_an_entry_and_says_what_changed(found: Published) -> None:
     assert first[2].count("<li>") == 100 and first[2].endswith("<p>and 95 other images</p>")
 
 
-def test_no_run_no_entry(real: ImageSet) -> None:
-    root = parsed(gather(Shelf(real)))
+def test_no_run_no_entry(tmp_path: Path, real: ImageSet) -> None:
+    catalogue = gather(Shelf(real))
+    root = parsed(catalogue)
     assert entries(root) == [] and root.findtext("updated", namespaces=NAMES) == NOW
+    site.write(tmp_path, catalogue)
+    page = (tmp_path / "index.html").read_text()
+    assert '<link rel="alternate" type="application/atom+xml"' in page and 'href="feed.xml" />' in page
+    assert (tmp_path / "feed.xml").read_text() == feed.render(catalogue)
 
 
-def test_only_the_newest_runs_are_there(found: Published) -> None:
-    image = next(item for item in found.images if item.target == TORCH)
+def test_only_the_newest_runs_are_there(catalogue: Published) -> None:
+    image = next(item for item in catalogue.images if item.target == TORCH)
     moves = tuple(Move(run=f"2026-11-{day:02}T03:00:00Z", old="x", new="y") for day in range(25, 0, -1))
     changed = image.model_copy(update={"moves": moves})
-    dates = [date for date, _, _ in entries(parsed(found.model_copy(update={"images": (changed,)})))]
+    dates = [date for date, _, _ in entries(parsed(catalogue.model_copy(update={"images": (changed,)})))]
     assert dates == [move.run for move in moves[:20]]
 
 
-def test_what_was_moved_back_is_told(found: Published) -> None:
-    image = next(item for item in found.images if item.target == TORCH)
+def test_what_was_moved_back_is_told(catalogue: Published) -> None:
+    image = next(item for item in catalogue.images if item.target == TORCH)
     main, *others = image.tags
     back = image.model_copy(update={"tags": (main.model_copy(update={"digest": image.moves[0].old}), *others)})
     removed = image.model_copy(update={"tags": tuple(others)})
-    for changed, said in ((back, "moved back since"), (removed, "removed since")):
-        third, second, *_ = entries(parsed(found.model_copy(update={"images": (changed,)})))
-        assert line(third[2], TORCH).endswith(f"; its tag was {said}") and "since" not in second[2]
+    for changed, change in ((back, "moved back since"), (removed, "removed since")):
+        third, second, *_ = entries(parsed(catalogue.model_copy(update={"images": (changed,)})))
+        assert line(third[2], TORCH).endswith(f"; its tag was {change}") and "since" not in second[2]
 
 
-def test_what_a_registry_says_is_text(found: Published) -> None:
-    """Dates that are none are left out: a record's name is its writer's."""
-    image = next(item for item in found.images if item.target == TORCH)
+def test_what_a_registry_says_is_text(catalogue: Published) -> None:
+    image = next(item for item in catalogue.images if item.target == TORCH)
     (platform,) = image.builds[0].platforms
     odd = platform.model_copy(update={"versions": {"<script>": "\x00\x1b]&amp;" + "x" * 300}})
     build = image.builds[0].model_copy(update={"platforms": (odd,)})
     strange = Move(run="<b>2026", old="", new="x")
     changed = image.model_copy(update={"builds": (build, *image.builds[1:]), "moves": (*image.moves, strange)})
-    root = parsed(found.model_copy(update={"images": (changed,)}))
+    root = parsed(catalogue.model_copy(update={"images": (changed,)}))
     third, *rest = entries(root)
     assert len(rest) == 2
-    said = line(third[2], TORCH)
-    assert "&lt;script&gt; none → \ufffd\ufffd]&amp;amp;x" in said and "x" * 75 not in said
-    assert "more versions" in said, "those that are gone"
-
-
-def test_the_page_leads_to_its_feed(tmp_path: Path, found: Published) -> None:
-    site.write(tmp_path, found)
-    page = (tmp_path / "index.html").read_text()
-    assert '<link rel="alternate" type="application/atom+xml"' in page and 'href="feed.xml" />' in page
-    assert (tmp_path / "feed.xml").read_text() == feed.render(found)
+    change = line(third[2], TORCH)
+    assert "&lt;script&gt; none → \ufffd\ufffd]&amp;amp;x" in change and "x" * 75 not in change
+    assert "more versions" in change, "those that are gone"
