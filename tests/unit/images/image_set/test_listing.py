@@ -32,11 +32,9 @@ def test_groups_narrow_the_list_down(small: ImageSet) -> None:
         "alpha-base-torch-cu1",
         "alpha-desktop-torch-cu1",
     ]
-    assert targets(small, "alpha", "omega") == []
-
-
-def test_architectures_narrow_the_list_down(small: ImageSet) -> None:
     assert targets(small, "alpha", "core", "arm64") == ["alpha-core", "alpha-core-torch-cpu", "alpha-core-ml-cpu"]
+    assert targets(small, "alpha", "omega") == []
+    assert targets(with_locks(small, ()), "omega", "base", "cpu") == ["omega-base-torch-cpu"], "without a lock"
 
 
 @pytest.mark.parametrize(
@@ -44,7 +42,6 @@ def test_architectures_narrow_the_list_down(small: ImageSet) -> None:
     [(("alpha", "robot"), "alpha-robot"), (("alpha", "cu1", "arm64"), "alpha-<component>-<framework>")],
 )
 def test_groups_without_a_common_image(groups: tuple[str, ...], example: str, tmp_path: Path) -> None:
-    """They are no error, but somebody who mistook one for the other must not take an empty table for an answer."""
     robot = changed("components: [core, base]\n", "components: [core, base, robot]\n")
     (tmp_path / "matrix.yaml").write_text(robot)
     argv = [*ROSML, "list", "--matrix", str(tmp_path / "matrix.yaml"), *groups]
@@ -54,26 +51,32 @@ def test_groups_without_a_common_image(groups: tuple[str, ...], example: str, tm
     assert done.stderr.endswith(f": rosml explain {example}\n")
 
 
-def test_one_image_is_one(small: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
-    tables.print_images(selection.members(small, ["alpha", "core", "torch", "cu1"]))
-    lines = capsys.readouterr().out.splitlines()
-    assert lines[0].split() == ["tag", "GB", "platforms", "content", "target"]
-    assert lines[1].split()[0] == "ros-torch:alpha-core-cu1" and lines[1].endswith("alpha-core-torch-cu1")
-    assert lines[-1] == "1 image, 3 parts; GB: unpacked, a forecast"
-
-
-@pytest.mark.parametrize("width", [60, 80, 100, 120])
+@pytest.mark.parametrize("width", [60, 120])
 def test_tag_and_size_are_never_cut(
     real: ImageSet, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, width: int
 ) -> None:
-    """In a terminal of any width, a row says which image it is."""
     monkeypatch.setenv("COLUMNS", str(width))
     monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
     images = selection.members(real, ["ros1-trixie", "torch"])
     tables.print_images(images)
-    rows = [line.split() for line in capsys.readouterr().out.splitlines()[1 : 1 + len(images)]]
+    lines = capsys.readouterr().out.splitlines()
+    rows = [line.split() for line in lines[1 : 1 + len(images)]]
+    parts = {name for image in images for name in image.parts}
+    assert any(f"{len(images)} images, {len(parts)} parts; GB: unpacked, a forecast" in line for line in lines)
     assert [row[0] for row in rows] == [image.tags[0] for image in images]
     assert [row[1] for row in rows] == [f"{image.disk.unpacked / 1000:.1f}" for image in images]
+
+
+@pytest.mark.parametrize(
+    ("words", "advice"),
+    [
+        (["rolling", "tensorflow"], "see why: rosml explain rolling-tensorflow"),
+        (["cpu38"], "rosml explain <distribution>-<component>-<framework>"),
+        (["jazzy", "torch", "cuda"], "torch and cuda are different images"),
+    ],
+)
+def test_advice_about_groups_that_share_no_image(real: ImageSet, words: list[str], advice: str) -> None:
+    assert advice in selection.none_in(real, words)
 
 
 def test_a_group_that_does_not_exist(small: ImageSet) -> None:
@@ -102,31 +105,6 @@ def test_words_that_people_try(real: ImageSet, words: list[str], remedy: str) ->
     assert remedy in caught.value.remedy and caught.value.exit_code == 2
 
 
-def test_groups_that_share_no_image(real: ImageSet) -> None:
-    assert selection.none_in(real, ["rolling", "tensorflow"]).endswith("see why: rosml explain rolling-tensorflow")
-    assert selection.none_in(real, ["cpu38"]).endswith("rosml explain <distribution>-<component>-<framework>")
-    assert "torch and cuda are different images" in selection.none_in(real, ["jazzy", "torch", "cuda"])
-
-
-def test_images_without_a_lock_are_listed(small: ImageSet) -> None:
-    assert targets(with_locks(small, ()), "omega", "base", "cpu") == ["omega-base-torch-cpu"]
-
-
-def test_command(real: ImageSet) -> None:
-    """With two groups that the project's matrix has together, whatever it holds."""
-    image = real.image(real.matrix.default.targets[-1])
-    done = subprocess.run(
-        [*ROSML, "list", image.distribution, image.framework],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    wanted = targets(real, image.distribution, image.framework)
-    assert [line.split()[-1] for line in done.stdout.splitlines()[1 : len(wanted) + 1]] == wanted
-    assert f"\n{len(wanted)} images, " in done.stdout
-
-
 def test_command_for_machines(tmp_path: Path) -> None:
     (tmp_path / "matrix.yaml").write_text(SMALL)
     argv = [*ROSML, "list", "--matrix", str(tmp_path / "matrix.yaml"), "--json", "alpha", "none"]
@@ -136,7 +114,6 @@ def test_command_for_machines(tmp_path: Path) -> None:
 
 
 def test_a_reader_that_has_seen_enough() -> None:
-    """`rosml list | head` is no error."""
     done = subprocess.run(
         ["bash", "-c", 'set -o pipefail; "$@" list | head -1', "bash", *ROSML],
         cwd=ROOT,

@@ -10,6 +10,7 @@ from conftest import SMALL, changed, parse, write_locks
 
 from rosml.cli import command
 from rosml.cli.images import generate as generate_bake
+from rosml.cli.images import tables
 from rosml.images.image_set import load as loading
 from rosml.images.image_set import missing
 from rosml.images.image_set.explain import explained
@@ -35,6 +36,10 @@ def without(image_set: ImageSet, *locks: str) -> ImageSet:
 
 def test_a_lock_waits_where_the_digest_of_its_wheel_is_not_known(elsewhere: ImageSet) -> None:
     assert missing.waiting(elsewhere.matrix, elsewhere.parts) == {WAITING}
+    image_set = without(elsewhere, TORCH, WAITING)
+    lost, waiting = image_set.image("alpha-core-torch-cu1"), image_set.image("alpha-core-torch-cpu")
+    assert (missing.reason(lost), missing.remedy(lost)) == (f"{TORCH} is missing", "run 'rosml locks'")
+    assert (missing.reason(waiting), missing.remedy(waiting)) == (f"{WAITING} is missing", missing.ASK_PYTORCH)
     assert missing.lost(without(elsewhere, WAITING)) is None
 
 
@@ -46,21 +51,12 @@ def test_what_is_common_to_waiting_releases_alone_waits_with_them() -> None:
 def test_lost_locks_name_their_images(elsewhere: ImageSet) -> None:
     one = missing.lost(without(elsewhere, TORCH, WAITING))
     assert one is not None
-    assert one.message == (
-        "6 images cannot be built (alpha-core-torch-cu1, alpha-base-torch-cu1, alpha-desktop-torch-cu1, "
-        f"alpha-core-ml-cu1 and 2 more): {TORCH} is missing"
-    )
-    assert one.remedy == "run 'rosml locks'; if they were there and got lost: git checkout locks"
+    assert one.message.startswith("6 images cannot be built (alpha-core-torch-cu1, ")
+    assert one.message.endswith(f"alpha-core-ml-cu1 and 2 more): {TORCH} is missing")
+    assert "git checkout locks" in one.remedy
     two = missing.lost(without(elsewhere, TORCH, COMMON))
     assert two is not None
     assert f"): {TORCH}, {COMMON} are missing" in two.message
-
-
-def test_what_an_image_lacks(elsewhere: ImageSet) -> None:
-    image_set = without(elsewhere, TORCH, WAITING)
-    lost, waiting = image_set.image("alpha-core-torch-cu1"), image_set.image("alpha-core-torch-cpu")
-    assert (missing.reason(lost), missing.remedy(lost)) == (f"{TORCH} is missing", "run 'rosml locks'")
-    assert (missing.reason(waiting), missing.remedy(waiting)) == (f"{WAITING} is missing", missing.ASK_PYTORCH)
 
 
 @pytest.fixture
@@ -72,14 +68,6 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[str]:
     load = loading.load
     monkeypatch.setattr(loading, "load", lambda file, root: load(file, tmp_path))
     return ["--matrix", str(tmp_path / "matrix.yaml"), "--output", str(tmp_path / "out.hcl")]
-
-
-def test_generating_tells_what_is_left_out(project: list[str], capsys: pytest.CaptureFixture[str]) -> None:
-    assert command.run(generate_bake.main, arguments=project) == 0
-    lines = capsys.readouterr().err.splitlines()
-    assert lines[0].endswith("out.hcl: written")
-    assert lines[1].startswith("warning: 6 images cannot be built (alpha-core-torch-cu1, ")
-    assert lines[2:] == [f"remedy: {missing.RESTORE}"]
 
 
 def _cut(lock: Path) -> None:
@@ -119,9 +107,9 @@ def test_a_damaged_lock_is_not_called_missing(tmp_path: Path, damage: Callable[[
     image_set = loading.load(tmp_path / "matrix.yaml", tmp_path)
     damaged = f"{TORCH} is damaged, or not of the release that matrix.yaml names"
     assert missing.reason(image_set.image("alpha-core-torch-cu1")) == damaged
-    said = missing.lost(image_set)
-    assert said is not None
-    assert said.message.endswith(f"): {GONE} is missing; {damaged}")
+    error = missing.lost(image_set)
+    assert error is not None
+    assert error.message.endswith(f"): {GONE} is missing; {damaged}")
     text = explained(image_set, "alpha-core-torch-cu1").text
     assert text.endswith(f"{damaged}; run 'rosml locks'")
 
@@ -132,15 +120,15 @@ def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pyte
     assert stale[0].startswith("error: 6 images cannot be built")
     assert stale[1].endswith("out.hcl: outdated")
     assert stale[2:] == [f"remedy: {missing.RESTORE}; then run 'rosml generate' and commit the result"]
-    command.run(generate_bake.main, arguments=project)
-    capsys.readouterr()
+    assert command.run(generate_bake.main, arguments=project) == 0
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0].endswith("out.hcl: written")
+    assert lines[1].startswith("warning: 6 images cannot be built (alpha-core-torch-cu1, ")
     assert command.run(generate_bake.main, arguments=[*project, "--check"]) == 1
     assert capsys.readouterr().err.splitlines()[1:] == [f"remedy: {missing.RESTORE}"]
 
 
 def test_listing_tells_both_apart(elsewhere: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
-    from rosml.cli.images import tables
-
     tables.print_images(without(elsewhere, TORCH, WAITING).images)
     assert [line.strip() for line in capsys.readouterr().out.splitlines()[-2:]] == [
         f"6 images without a lock, which cannot be built yet: {missing.RESTORE}",

@@ -67,9 +67,9 @@ SAID = {labels.RESTRICTED: "torch"}
 )
 def test_where_it_may_go(host: str, declared: Declared, allowed: bool) -> None:
     if allowed:
-        told = restricted.require(["torch"], "robot:1", host, "me/robots/run", declared)
-        assert bool(told) == (host == "ghcr.io"), "a claim to have the rights is repeated"
-        assert not told or "goes to ghcr.io/me/robots: you declared that you have the rights" in told
+        claim = restricted.require(["torch"], "robot:1", host, "me/robots/run", declared)
+        assert bool(claim) == (host == "ghcr.io"), "a claim to have the rights is repeated"
+        assert not claim or "goes to ghcr.io/me/robots: you declared that you have the rights" in claim
         return
     with pytest.raises(RosmlError, match=f"robot:1 has the restricted part torch, and {host} is ") as caught:
         restricted.require(["torch"], "robot:1", host, "me/robots/run", declared)
@@ -106,15 +106,15 @@ def test_a_variable_that_is_none(small: ImageSet, value: str, says: str) -> None
 
 def test_a_variable_adds_to_the_matrix() -> None:
     text = changed("registry: localhost:5000\n", "registry: localhost:5000\nprivate: [one.example.com]\n")
-    found = Declared.of(parse(text).matrix, {restricted.VARIABLE: " two.example.com  Three.example.com:1 "})
-    assert found.private == ("one.example.com", "two.example.com", "three.example.com:1")
+    declared = Declared.of(parse(text).matrix, {restricted.VARIABLE: " two.example.com  Three.example.com:1 "})
+    assert declared.private == ("one.example.com", "two.example.com", "three.example.com:1")
 
 
 @given(st.text(min_size=1))
 def test_anything_in_the_label_is_a_restriction(text: str) -> None:
-    found = restricted.parts_of({labels.RESTRICTED: text})
-    assert found
-    assert all(len(name) <= 64 and name.isprintable() for name in found)
+    names = restricted.parts_of({labels.RESTRICTED: text})
+    assert names
+    assert all(len(name) <= 64 and name.isprintable() for name in names)
 
 
 # ---- Labels ----------------------------------------------------------------------------------------------------------
@@ -123,34 +123,28 @@ def test_anything_in_the_label_is_a_restriction(text: str) -> None:
 def test_labels_of_a_join_are_those_of_a_build(real: ImageSet) -> None:
     """About licences; every image with parts has those of all of them."""
     text = (ROOT / "matrix.yaml").read_text().replace("    slot: 3\n", "    slot: 3\n    distribution: restricted\n", 1)
+    assert [entry.name for entry in real.matrix.parts if entry.licence is None] == []
+    assert labels.together(["MIT OR Apache-2.0", "", "MIT AND BSD-3-Clause", "MIT"], []) == {
+        labels.LICENSES: "(MIT OR Apache-2.0) AND MIT AND BSD-3-Clause"
+    }
     for image_set in (real, parse(text)):
-        known = targets.of(image_set)
+        bake_targets = targets.of(image_set)
 
-        def said(target: str, known: Mapping[str, targets.Target] = known) -> dict[str, str]:
-            found = {name: known[target].labels.get(name) for name in (labels.LICENSES, labels.RESTRICTED)}
-            return {name: str(text) for name, text in found.items() if text}
+        def claims(target: str, bake_targets: Mapping[str, targets.Target] = bake_targets) -> dict[str, str]:
+            texts = {name: bake_targets[target].labels.get(name) for name in (labels.LICENSES, labels.RESTRICTED)}
+            return {name: str(text) for name, text in texts.items() if text}
 
         for image in image_set.images:
             if image.stack:
                 below = [
-                    said(name) for name in (image.parent, *(image_set.part_by_name[x].target for x in image.parts))
+                    claims(name) for name in (image.parent, *(image_set.part_by_name[x].target for x in image.parts))
                 ]
                 joined = labels.together(
                     [one[labels.LICENSES] for one in below], [x for one in below for x in restricted.parts_of(one)]
                 )
-                assert joined == said(image.target), image.target
+                assert joined == claims(image.target), image.target
                 kinds = [image_set.part_by_name[name].kind for name in image.parts]
                 assert (labels.RESTRICTED in joined) == bool(restricted.of(image_set.matrix, kinds))
-
-
-def test_a_choice_of_licences_stays_one() -> None:
-    assert labels.together(["MIT OR Apache-2.0", "", "MIT AND BSD-3-Clause", "MIT"], []) == {
-        labels.LICENSES: "(MIT OR Apache-2.0) AND MIT AND BSD-3-Clause"
-    }
-
-
-def test_every_part_has_a_licence(real: ImageSet) -> None:
-    assert [entry.name for entry in real.matrix.parts if entry.licence is None] == []
 
 
 # ---- The doors -------------------------------------------------------------------------------------------------------
@@ -161,20 +155,20 @@ def apps(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Apps]:
     """A registry that is not on this machine, as far as the rule sees."""
     monkeypatch.setattr(registries, "is_here", lambda host: False)
     monkeypatch.delenv(restricted.VARIABLE, raising=False)
-    with moving(tmp_path, monkeypatch) as found:
-        yield found
+    with moving(tmp_path, monkeypatch) as place:
+        yield place
 
 
 def test_join(apps: Apps, monkeypatch: pytest.MonkeyPatch) -> None:
     host = apps.server.address
     ros = apps.base()
-    given = parts.stack(apps.registry, "me/part", ("cuda", "common"))
-    own = parts.part("torch")
-    given.append(replace(own, labels={**own.labels, **SAID}).put(apps.registry, "me/part", "torch"))
+    put_parts = parts.stack(apps.registry, "me/part", ("cuda", "common"))
+    torch = parts.part("torch")
+    put_parts.append(replace(torch, labels={**torch.labels, **SAID}).put(apps.registry, "me/part", "torch"))
 
     def join() -> str:
         with Joiner(Registries(), say=apps.messages.append) as joiner:
-            return joiner.join(ros, given, f"{host}/me/mine:1").manifests["linux/amd64"]
+            return joiner.join(ros, put_parts, f"{host}/me/mine:1").manifests["linux/amd64"]
 
     before = {*apps.server.manifests}
     with pytest.raises(
@@ -183,26 +177,25 @@ def test_join(apps: Apps, monkeypatch: pytest.MonkeyPatch) -> None:
         join()
     assert caught.value.exit_code == 2 and {*apps.server.manifests} == before
     with Joiner(Registries()) as joiner, pytest.raises(RosmlError, match="has the restricted part torch"):
-        joiner.manifest(*_by_digest(apps, ros, given), host, "me/mine")  # as a publishing run does
+        joiner.manifest(*_by_digest(apps, ros, put_parts), host, "me/mine")  # as a publishing run does
     assert {*apps.server.manifests} == before
     monkeypatch.setenv(restricted.VARIABLE, host)
-    found = apps.registry.manifest("me/mine", join())
-    assert found and apps.registry.config("me/mine", found).labels[labels.RESTRICTED] == "torch"
+    manifest = apps.registry.manifest("me/mine", join())
+    assert manifest and apps.registry.config("me/mine", manifest).labels[labels.RESTRICTED] == "torch"
 
 
-def _by_digest(apps: Apps, ros: str, given: Sequence[str]) -> tuple[Reference, list[Reference]]:
+def _by_digest(apps: Apps, ros: str, part_names: Sequence[str]) -> tuple[Reference, list[Reference]]:
     """Images for one platform."""
-    found = []
-    for name in (ros, *given):
+    places = []
+    for name in (ros, *part_names):
         place = references.parse(name)
         index = apps.registry.manifest(place.repository, place.reference)
         assert index
-        found.append(place._replace(reference=index.members[0].digest))
-    return found[0], found[1:]
+        places.append(place._replace(reference=index.members[0].digest))
+    return places[0], places[1:]
 
 
 def test_rebase(apps: Apps, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The new base image has it, and then the app has it as well."""
     app, held = apps.app(apps.base()), apps.base("held", labels=SAID)
     assert "me/robot:latest has the restricted part torch" in apps.refused(app, held)
     monkeypatch.setenv(restricted.VARIABLE, apps.server.address)
@@ -217,8 +210,8 @@ def test_an_image_of_two_platforms_is_held_by_one(apps: Apps) -> None:
     members = [
         entry
         for name in (reference, other)
-        if (found := apps.registry.manifest("rosml/ros", name.rpartition(":")[2]))
-        for entry in found.content["manifests"]
+        if (manifest := apps.registry.manifest("rosml/ros", name.rpartition(":")[2]))
+        for entry in manifest.content["manifests"]
     ]
     index = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": members}
     apps.registry.put_manifest("rosml/ros", "both", index, oci.INDEX)
@@ -250,39 +243,41 @@ def test_containerize(apps: Apps, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     monkeypatch.setattr(registries, "is_here", lambda host: host == here)
     base = apps.base("held", labels=SAID, environment=("ROS_DISTRO=jazzy",))
     free = apps.base("free", environment=("ROS_DISTRO=jazzy",))
-    given = {"base-image": base, "command": "x", "push": "true", "target": "run", "platform": "amd64"}
-    given |= {"image-name": f"{here}/me/robot"}
+    values = {"base-image": base, "command": "x", "push": "true", "target": "run", "platform": "amd64"}
+    values |= {"image-name": f"{here}/me/robot"}
     if where == "image":
-        given["image-name"] = public
+        values["image-name"] = public
     elif where == "cache":
-        given["cache"] = f"{public}/cache"
+        values["cache"] = f"{public}/cache"
     else:
-        given |= {"base-image": free, "enable-slim": "true", "slim-base-image": base}
-        given |= {"slim-image-name": public, "enable-push-as-latest": "true"}
+        values |= {"base-image": free, "enable-slim": "true", "slim-base-image": base}
+        values |= {"slim-image-name": public, "enable-push-as-latest": "true"}
     monkeypatch.setattr(app_base, "require_kept", lambda *_: None)  # asks the registry
-    app = build.App(folder, app_inputs.values(given, folder, {}), {}, apps.services, apps.messages.append)
+    app = build.App(folder, app_inputs.values(values, folder, {}), {}, apps.services, apps.messages.append)
     with pytest.raises(
         RosmlError, match=r"rosml/ros:held has the restricted part torch, and ghcr\.io is a public"
     ) as caught:
         app.build()
     assert caught.value.exit_code == 2
     text = ROOT / "matrix.yaml"
-    own = tmp_path / "matrix.yaml"
-    own.write_text(text.read_text().replace("\nversion: 1\n", f"\nversion: 1\ni_have_the_rights: [{public}]\n", 1))
-    monkeypatch.setattr(restricted, "MATRIX", own)
-    with pytest.raises((Asked, RosmlError)) as asked:
+    own_matrix = tmp_path / "matrix.yaml"
+    own_matrix.write_text(
+        text.read_text().replace("\nversion: 1\n", f"\nversion: 1\ni_have_the_rights: [{public}]\n", 1)
+    )
+    monkeypatch.setattr(restricted, "MATRIX", own_matrix)
+    with pytest.raises((Asked, RosmlError)) as caught_build:
         app.build()
-    assert "restricted" not in str(asked.value)
+    assert "restricted" not in str(caught_build.value)
     assert any("goes to ghcr.io/me/robot: you declared that you have the rights" in line for line in apps.messages)
 
 
 @pytest.mark.usefixtures("builder")
 def test_a_part(tmp_path: Path) -> None:
-    image_set, said = parse(HELD), list[str]()
-    wanted = part.find(image_set, "torch-cu1-py312")
+    image_set, lines = parse(HELD), list[str]()
+    torch = part.find(image_set, "torch-cu1-py312")
 
     def push(prefix: str) -> None:
-        part.push(services(tmp_path), image_set, wanted, said.append, prefix, ["linux/amd64"])
+        part.push(services(tmp_path), image_set, torch, lines.append, prefix, ["linux/amd64"])
 
     with pytest.raises(
         RosmlError, match=r"torch-cu1-py312 has the restricted part torch, and registry\.example\.com is"
@@ -304,18 +299,18 @@ class Surveyed(Exception):
 def matrix(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """The small matrix, for runs that end before they ask a registry."""
 
-    def asked(request: Any) -> None:
+    def ask(request: Any) -> None:
         raise Surveyed(request)
 
     (tmp_path / "matrix.yaml").write_text(HELD)
     services(tmp_path)
     monkeypatch.delenv(restricted.VARIABLE, raising=False)
     monkeypatch.setattr(call, "ROOT", tmp_path)
-    monkeypatch.setattr(survey, "survey", asked)
+    monkeypatch.setattr(survey, "survey", ask)
     return tmp_path / "matrix.yaml"
 
 
-def wanted(matrix: Path, registry: str, *only: str, reading: bool = False) -> set[str]:
+def requested(matrix: Path, registry: str, *only: str, reading: bool = False) -> set[str]:
     """The images of a run."""
     with pytest.raises(Surveyed) as caught:
         call.Call(registry=registry, matrix=matrix, only=only).survey(reading)
@@ -327,29 +322,22 @@ def test_publish(matrix: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.C
     every = {image.target for image in parse(HELD).images}
     free = {name for name in every if not {"torch", "ml"} & {*name.split("-")}}
     assert free and free < every
-    assert wanted(matrix, "localhost:5000/me") == every
+    assert requested(matrix, "localhost:5000/me") == every
     assert not capsys.readouterr().err
-    assert wanted(matrix, "ghcr.io/me") == free
+    assert requested(matrix, "ghcr.io/me") == free
     held = len(every) - len(free)
     assert (
         f"left out, because their restricted parts may not go to ghcr.io/me: {held} images" in capsys.readouterr().err
     )
-    assert wanted(matrix, "ghcr.io/me", "alpha-core", "alpha-core-cuda-cu1") == {"alpha-core", "alpha-core-cuda-cu1"}
-    assert wanted(matrix, "ghcr.io/me", "alpha-core-*", reading=True) > {"alpha-core-torch-cu1"}
+    assert requested(matrix, "ghcr.io/me", "alpha-core", "alpha-core-cuda-cu1") == {"alpha-core", "alpha-core-cuda-cu1"}
+    assert requested(matrix, "ghcr.io/me", "alpha-core-*", reading=True) > {"alpha-core-torch-cu1"}
+    for only in ("alpha-core-torch-cu1", "*-ml-*", "alpha-*"):
+        with pytest.raises(RosmlError, match=r"the restricted part torch, and ghcr\.io is a public registry") as caught:
+            call.Call(registry="ghcr.io/me", matrix=matrix, only=(only,)).survey()
+        assert caught.value.exit_code == 2
     monkeypatch.setenv(restricted.VARIABLE, "registry.example.com")
-    assert wanted(matrix, "registry.example.com/me") == every
-
-
-@pytest.mark.parametrize("only", ["alpha-core-torch-cu1", "*-ml-*", "alpha-*"])
-def test_publish_what_was_named(matrix: Path, only: str) -> None:
-    with pytest.raises(RosmlError, match=r"has the restricted part torch, and ghcr\.io is a public registry") as caught:
-        call.Call(registry="ghcr.io/me", matrix=matrix, only=(only,)).survey()
-    assert caught.value.exit_code == 2
-
-
-def test_publish_with_the_rights(matrix: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    matrix.write_text(
-        HELD.replace("registry: localhost:5000\n", "registry: localhost:5000\ni_have_the_rights: [ghcr.io/me]\n")
-    )
-    assert wanted(matrix, "ghcr.io/me") == {image.target for image in parse(HELD).images}
+    assert requested(matrix, "registry.example.com/me") == every
+    line = "registry: localhost:5000\n"
+    matrix.write_text(HELD.replace(line, f"{line}i_have_the_rights: [ghcr.io/me]\n"))
+    assert requested(matrix, "ghcr.io/me") == every
     assert "goes to ghcr.io/me: you declared that you have the rights" in capsys.readouterr().err
