@@ -15,10 +15,10 @@ from typing import Any, TypeVar
 import pytest
 from conftest import SMALL, changed, smaller
 from conftest import parse as image_set_of
-from test_upstream import FACTS, RELEASE, Mirror, mirror  # noqa: F401
 
 from fakes.http_registry import StandIn, standing_in
 from fakes.memory_registry import DAY, PREFIX, MemoryRegistry
+from fakes.release_files import FACTS, RELEASE, Mirror, release_server
 from rosml.base.archives import zstd
 from rosml.base.errors import RosmlError
 from rosml.images.builds import apt_sources, base_images, package_state, sync
@@ -186,6 +186,12 @@ def test_what_is_no_source(file: str, text: str, line: int) -> None:
 
 
 # ---- From the registry -----------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def mirror(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
+    with release_server(monkeypatch) as server:
+        yield server
 
 
 @pytest.fixture(autouse=True)
@@ -470,7 +476,7 @@ MATRIX = OWN.replace("ubuntu-26.04", NAME).replace("docker.io/library/ubuntu:26.
 def test_the_archive_of_the_base_image_is_asked_and_no_other(
     services: Services,
     hub: StandIn,
-    mirror: Mirror,  # noqa: F811
+    mirror: Mirror,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Whatever operating system it is called."""
@@ -488,7 +494,7 @@ def test_the_archive_of_the_base_image_is_asked_and_no_other(
     }
     before = package_state.state(services, matrix, "omega", {})
     assert before.startswith("debian stable ")
-    assert mirror.asked == list(mirror.files)
+    assert mirror.requests == list(mirror.files)
     mirror.files["/own/dists/stable/Release"] = RELEASE.format(**FACTS | {"amd64": "d" * 64}).encode()
     assert package_state.state(services, matrix, "omega", {}) != before
     assert package_state.repositories(services, matrix, "omega", before) == [(f"{mirror.address}/own", before)]

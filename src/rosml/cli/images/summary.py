@@ -19,43 +19,25 @@ from rosml.machine import buildx
 
 @dataclass(frozen=True)
 class Summary:
-    """The result of publishing one image.
-
-    Attributes:
-        reference: what to put after FROM: the main tag, or the digest if no tag moved.
-        digest: digest of the index behind the tags.
-        manifest: digest of the image manifest that was tested.
-        tags: all references that point at the image.
-        moved: tags that pointed elsewhere, or nowhere, before.
-        compressed: bytes.
-        parts: bytes of `compressed` that are parts, which images of a stack share.
-        unpacked: bytes.
-        uploaded: bytes that this call added to the registry.
-        passed, failed: how many structure tests.
-        versions: of packages and programs in the image.
-        seconds: time by step.
-        waited: how much of it other builds had the builder, by step.
-        built: targets that this call built or joined.
-        builder: the command that builds a Dockerfile on top of the image with the same builder.
-    """
+    """The result of publishing one image."""
 
     target: str
-    reference: str
-    digest: str
-    manifest: str
-    tags: list[str]
-    moved: list[str]
-    compressed: int
-    parts: int
-    unpacked: int
-    uploaded: int
-    passed: int
+    reference: str  # what to put after FROM: the main tag, or the digest if no tag moved
+    digest: str  # of the index behind the tags
+    manifest: str  # digest of the image that was tested
+    tags: list[str]  # all references that point at the image
+    moved: list[str]  # tags that pointed elsewhere, or nowhere, before
+    compressed: int  # bytes
+    parts: int  # bytes of `compressed` that are parts, which images of a stack share
+    unpacked: int  # bytes
+    uploaded: int  # bytes that this call added to the registry
+    passed: int  # structure tests
     failed: int
-    versions: dict[str, str]
-    seconds: dict[str, float]
-    waited: dict[str, float]
-    built: list[str]
-    builder: str
+    versions: dict[str, str]  # of packages and programs in the image
+    seconds: dict[str, float]  # time by step
+    waited: dict[str, float]  # how much of it other builds had the builder, by step
+    built: list[str]  # targets that this call built or joined
+    builder: str  # the command that builds a Dockerfile on top of the image with the same builder
 
     def to_json(self) -> dict[str, Any]:
         return {"made" if name == "built" else name: value for name, value in vars(self).items()}

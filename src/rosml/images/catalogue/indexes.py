@@ -62,12 +62,7 @@ class History:
 
 
 class Reader:
-    """Reads a registry.
-
-    Args:
-        history: the most builds without a tag, for each image: the newest. All builds with a tag are read.
-        remarks: takes what was left out, and why.
-    """
+    """Reads a registry: of builds without a tag only the newest, as `history` says. `remarks` takes what was left out."""
 
     def __init__(self, place: Place, history: int, remarks: list[str]) -> None:
         self._place = place
@@ -128,7 +123,7 @@ class Reader:
         for name, moves in _each(names, self._recorded_moves, "records").items():
             for move in moves:
                 if move.old != move.new:
-                    run = _spelled(name.removeprefix(tag_moves.UNDO))
+                    run = tag_moves.run_date(name)
                     by_tag.setdefault((move.repository, move.tag), []).append(Move(run=run, old=move.old, new=move.new))
         return by_tag
 
@@ -192,12 +187,6 @@ def _by_undated(tags: Iterable[str]) -> dict[str, list[str]]:
 def _present_tags(thing: Thing, tags: Mapping[str, list[str]]) -> list[str]:
     main, *others = tags_of(thing)
     return [*tags.get(main, ()), *(tag for tag in others if tag in tags.get(tag, ()))]
-
-
-def _spelled(run: str) -> str:
-    """A run's date from the name of its record: `20261122T030000Z` is 2026-11-22T03:00:00Z."""
-    match = re.fullmatch(r"(\d{4})(\d\d)(\d\d)T(\d\d)(\d\d)(\d\d)Z", run)
-    return "{}-{}-{}T{}:{}:{}Z".format(*match.groups()) if match else run
 
 
 def _platform(platform: documents.Platform | None) -> str:

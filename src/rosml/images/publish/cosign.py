@@ -43,21 +43,13 @@ class SignerFailed(RosmlError):
 
 @dataclass(frozen=True)
 class Signer:
-    """The program, and whose signature it makes.
+    """The program, and whose signature it makes."""
 
-    Attributes:
-        program: path of cosign.
-        identity: of the signature: a digest of the public key, or the workflow.
-        signing: options for signing.
-        verifying: options for verification.
-        environment: of calls; a key's password may be in it.
-    """
-
-    program: str
-    identity: str
-    signing: tuple[str, ...]
-    verifying: tuple[str, ...]
-    environment: Mapping[str, str] = field(default_factory=dict, repr=False)
+    program: str  # path of cosign
+    identity: str  # of the signature: a digest of the public key, or the workflow
+    signing: tuple[str, ...]  # options for signing
+    verifying: tuple[str, ...]  # options for verification
+    environment: Mapping[str, str] = field(default_factory=dict, repr=False)  # of calls; a key's password may be in it
 
     @classmethod
     def find(cls, root: Path, environment: Mapping[str, str] = os.environ) -> Signer:

@@ -58,15 +58,9 @@ class Item:
 
 @dataclass(frozen=True)
 class Task:
-    """The steps that an item needs.
-
-    Attributes:
-        steps: in order; empty if there is nothing to do.
-        why: reasons for the first step.
-        hindered: why no step can be done here; empty if it can.
-    """
+    """The steps that an item needs."""
 
     item: Item
-    steps: tuple[Step, ...] = ()
-    why: tuple[str, ...] = ()
-    hindered: str = ""
+    steps: tuple[Step, ...] = ()  # in order; empty if there is nothing to do
+    why: tuple[str, ...] = ()  # reasons for the first step
+    hindered: str = ""  # why no step can be done here; empty if it can

@@ -34,30 +34,20 @@ class PlannedTask(Fact):
 
 
 class Plan(Fact):
-    """A plan.
+    """A plan. Its options are as in a `Request`."""
 
-    Attributes:
-        version: of this format.
-        registry: where the images go, with the prefix.
-        architectures, serve, force, package_state: as in a `Request`.
-        targets: the images of the run.
-        tasks: items with steps to do, and items that cannot be done here.
-        unchanged: how many items are up to date.
-        remarks: for people, such as a repository that does not answer.
-    """
-
-    version: Literal[1]
+    version: Literal[1]  # of this format
     date: str
-    registry: str
+    registry: str  # where the images go, with the prefix
     architectures: Names
     serve: tuple[str, ...]
     force: bool
     package_state: dict[str, str]
-    targets: Names
+    targets: Names  # the images of the run
     shards: tuple[Shard, ...]
-    tasks: tuple[PlannedTask, ...]
-    unchanged: int
-    remarks: tuple[str, ...]
+    tasks: tuple[PlannedTask, ...]  # items with steps to do, and items that cannot be done here
+    unchanged: int  # how many items are up to date
+    remarks: tuple[str, ...]  # for people, such as a repository that does not answer
 
     def repositories(self, image_set: ImageSet) -> list[str]:
         """The repositories that the plan writes into, without the registry's prefix. The records come first."""

@@ -51,15 +51,10 @@ CONTENT = ("Dockerfile", ".dockerignore", "matrix.yaml", "set.yaml", "components
 
 @dataclass(frozen=True)
 class Machine:
-    """Who makes images.
+    """Who makes images."""
 
-    Attributes:
-        builder: its identity.
-        invocation: identifies this run of the builder.
-    """
-
-    builder: str
-    invocation: str
+    builder: str  # its identity
+    invocation: str  # identifies this run of the builder
 
     @classmethod
     def here(cls, date: str, environ: Mapping[str, str] = os.environ) -> Machine:
@@ -163,18 +158,13 @@ def _digest(digest: str) -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Statement:
-    """What is said about a manifest.
-
-    Attributes:
-        definition: what it was made from.
-        started: time such as 2026-11-22T03:00:00Z, and so is `finished`.
-    """
+    """What is said about a manifest."""
 
     repository: str
     digest: str
-    definition: Mapping[str, Any]
+    definition: Mapping[str, Any]  # what it was made from
     machine: Machine
-    started: str
+    started: str  # time such as 2026-11-22T03:00:00Z, and so is `finished`
     finished: str
 
     def content(self) -> dict[str, Any]:
@@ -194,9 +184,7 @@ class Statement:
 def attach(client: Registry, statement: Statement, recorded: str = "") -> str:
     """Attaches a statement to its manifest, unless the registry has the one of the same builder that the records name.
     Other attached statements do not count: everybody with write access can attach one that names any builder.
-
-    Returns the digest of the artifact with the builder's statement.
-    """
+    Returns the digest of the artifact."""
     if recorded and client.head(statement.repository, recorded):
         return recorded
     subject = client.manifest(statement.repository, statement.digest)

@@ -44,27 +44,17 @@ Digests = dict[str, set[str]]
 
 @dataclass(frozen=True)
 class Pruning:
-    """What can go.
+    """What can go."""
 
-    Attributes:
-        tags: repository and tag.
-        manifests: repository and digest. No kept tag leads to them. Artifacts attached to them go with them.
-        records: tags of records of runs that are too old.
-        kept: how many tags stay.
-        needed: repository and digest of the manifests that kept tags and records lead to.
-        tag_digests: where each of `tags` pointed.
-        run_records: digests of the records of all runs, by their tags.
-        graph: the manifests that were read.
-    """
-
-    tags: list[tuple[str, str]]
+    tags: list[tuple[str, str]]  # repository and tag
+    # Repository and digest. No kept tag leads to them. Artifacts attached to them go with them.
     manifests: list[tuple[str, str]]
-    records: list[str]
-    kept: int
-    needed: frozenset[tuple[str, str]]
-    tag_digests: dict[tuple[str, str], str]
-    run_records: dict[str, str]
-    graph: _Graph = field(repr=False)
+    records: list[str]  # tags of records of runs that are too old
+    kept: int  # how many tags stay
+    needed: frozenset[tuple[str, str]]  # repository and digest of the manifests that kept tags and records lead to
+    tag_digests: dict[tuple[str, str], str]  # where each of `tags` pointed
+    run_records: dict[str, str]  # digests of the records of all runs, by their tags
+    graph: _Graph = field(repr=False)  # the manifests that were read
 
     def to_json(self) -> dict[str, Any]:
         return {
@@ -77,20 +67,13 @@ class Pruning:
 
 @dataclass
 class Pruner:
-    """Finds what can go, and removes it.
-
-    Attributes:
-        image_set: names the repositories.
-        today: the day from which ages count.
-        days: dated tags younger than this stay.
-        newest: this many dated tags of each image always stay.
-    """
+    """Finds what can go, and removes it."""
 
     place: Place
-    image_set: ImageSet
-    today: date
-    days: int = 30
-    newest: int = 3
+    image_set: ImageSet  # names the repositories
+    today: date  # the day from which ages count
+    days: int = 30  # dated tags younger than this stay
+    newest: int = 3  # this many dated tags of each image always stay
 
     def find(self) -> Pruning:
         oldest = self.today - timedelta(days=self.days)

@@ -38,24 +38,16 @@ class Postponed(Exception):
 
 @dataclass(frozen=True)
 class Outcome:
-    """What a step did for an item.
-
-    Attributes:
-        architecture: empty for an index or tags.
-        reason: what was done, or why it failed or waits.
-        seconds: wall time.
-        waited: how much of it other builds had the builder.
-        uploaded: bytes sent to the registry.
-    """
+    """What a step did for an item."""
 
     step: str
     target: str
-    architecture: str
+    architecture: str  # empty for an index or tags
     state: Literal["done", "failed", "waits"]
-    reason: str = ""
-    seconds: float = 0.0
-    uploaded: int = 0
-    waited: float = 0.0
+    reason: str = ""  # what was done, or why it failed or waits
+    seconds: float = 0.0  # wall time
+    uploaded: int = 0  # bytes sent to the registry
+    waited: float = 0.0  # how much of it other builds had the builder
 
     def to_json(self) -> dict[str, Any]:
         return {name: value for name, value in vars(self).items() if value != ""}
@@ -63,35 +55,22 @@ class Outcome:
 
 @dataclass
 class Run:
-    """A publishing run.
-
-    Attributes:
-        say: prints a line of progress.
-        signer: signs indexes. Without a signature they get no tags. None if nothing is signed.
-        started: when the run began, by the monotonic clock.
-        pushed: bytes of layers that the builder added to the registry.
-        deadline: when the run starts no further item, by the monotonic clock.
-        on_made: called for each image as soon as it is built or joined.
-        signing: a lock, so that one index is signed at a time.
-        refused: how often in a row the signer failed.
-        whole: it is for one image: nothing more is started after a failure.
-        beforehand: seconds of work on items before their turn, if several were built at once.
-    """
+    """A publishing run."""
 
     state: State
     maker: Maker
-    say: Callable[[str], None]
-    signer: Signer | None = None
-    started: float = field(default_factory=time.monotonic)
+    say: Callable[[str], None]  # prints a line of progress
+    signer: Signer | None = None  # signs indexes. Without a signature they get no tags. None if nothing is signed.
+    started: float = field(default_factory=time.monotonic)  # when the run began, by the monotonic clock
     outcomes: list[Outcome] = field(default_factory=list)
-    pushed: int = 0
-    deadline: float = math.inf
-    on_made: Callable[[Item], None] = lambda _: None
-    signing: Any = field(default_factory=threading.Lock)
-    refused: int = 0
-    whole: bool = False
+    pushed: int = 0  # bytes of layers that the builder added to the registry
+    deadline: float = math.inf  # when the run starts no further item, by the monotonic clock
+    on_made: Callable[[Item], None] = lambda _: None  # called for each image as soon as it is built or joined
+    signing: Any = field(default_factory=threading.Lock)  # a lock, so that one index is signed at a time
+    refused: int = 0  # how often in a row the signer failed
+    whole: bool = False  # it is for one image: nothing more is started after a failure
     _may_push: bool = False
-    beforehand: dict[Key, float] = field(default_factory=dict)
+    beforehand: dict[Key, float] = field(default_factory=dict)  # seconds of work on items that were built at once
 
     @property
     def records(self) -> Records:

@@ -41,13 +41,7 @@ def require(
     versions: Mapping[str, Mapping[str, str]],
     released: Iterable[str] = (),
 ) -> None:
-    """Checks that the images of an index have the same configs and versions.
-
-    Args:
-        configs: the images' configs by architecture.
-        versions: the versions found in the images by architecture.
-        released: packages that the images are releases of.
-    """
+    """Checks that the images of an index have the same configs and versions; both are by architecture."""
     facts = {
         architecture: _facts(target, architecture, config, content(versions.get(architecture, {}), released))
         for architecture, config in configs.items()

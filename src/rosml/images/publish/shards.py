@@ -32,39 +32,24 @@ class Fact(Shape):
 
 
 class Estimates(Fact):
-    """What a shard takes.
+    """What a shard takes."""
 
-    Attributes:
-        download_mb: base images, Debian packages and wheels, compressed.
-        disk_mb: disk space at the end, which is the peak, with the reserve; counted as in `builds/disk.py`.
-        seconds: time to build and test: the measured time of the last run, or else an estimate by the matrix's rates.
-    """
-
-    download_mb: int
-    disk_mb: int
-    seconds: int
+    download_mb: int  # base images, Debian packages and wheels, compressed
+    disk_mb: int  # disk space at the end, which is the peak, with the reserve; counted as in `builds/disk.py`
+    seconds: int  # time to build and test: the measured time of the last run, or else an estimate by the matrix's rates
 
 
 class Shard(Fact):
-    """What one machine of a run builds.
+    """What one machine of a run builds."""
 
-    Attributes:
-        name: `amd64-1`; an architecture's longest shard has the number 1.
-        platform: such as `linux/amd64`.
-        runner: label of the machines in CI.
-        targets: bake targets in build order: for each distribution the ROS images from the lowest up, then the others.
-        parts: names of the parts that its images have.
-        elsewhere: names of those that another shard builds.
-    """
-
-    name: str
+    name: str  # `amd64-1`; an architecture's longest shard has the number 1
     architecture: str
-    platform: str
-    runner: str
+    platform: str  # such as `linux/amd64`
+    runner: str  # label of the machines in CI
     distributions: tuple[str, ...]
-    targets: Names
-    parts: tuple[str, ...]
-    elsewhere: tuple[str, ...]
+    targets: Names  # in build order: for each distribution the ROS images from the lowest up, then the others
+    parts: tuple[str, ...]  # names of the parts that its images have
+    elsewhere: tuple[str, ...]  # names of those that another shard builds
     estimates: Estimates
 
 
@@ -74,17 +59,11 @@ Costs = dict[tuple[str, str], int]
 
 @dataclass(frozen=True)
 class Work:
-    """The work of a run, by target and architecture.
+    """The work of a run, by target and architecture."""
 
-    Attributes:
-        built: images and parts to build or join.
-        tested: images to test.
-        seconds: how long each step took the last time.
-    """
-
-    built: frozenset[Key]
-    tested: frozenset[Key]
-    seconds: Mapping[Key, Mapping[str, float]] = field(default_factory=dict)
+    built: frozenset[Key]  # images and parts to build or join
+    tested: frozenset[Key]  # images to test
+    seconds: Mapping[Key, Mapping[str, float]] = field(default_factory=dict)  # how long each step took the last time
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ import hashlib
 import json
 from collections import defaultdict
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from rosml.base.problems import some
@@ -21,33 +22,18 @@ from rosml.images.records.store import Entry
 Names = tuple[str, ...]
 
 
+@dataclass
 class SharedTests:
-    """The tests of the images of a run.
+    """The tests of the images of a run."""
 
-    Args:
-        entries: of the records; a run keeps them up to date.
-        requested: targets of the images that are part of the run.
-        everything: the requested images run all tests, also those that passed in others with the same parts.
-        outdated: why an image has to be rebuilt; empty if it is up to date, or not part of the run.
-    """
-
-    def __init__(
-        self,
-        image_set: ImageSet,
-        inputs: Inputs,
-        entries: Mapping[Key, Entry],
-        requested: frozenset[str],
-        everything: bool,
-        outdated: Callable[[Key], list[str]],
-    ) -> None:
-        self._image_set = image_set
-        self._inputs = inputs
-        self._entries = entries
-        self._requested = requested
-        self._everything = everything
-        self._outdated = outdated
-        self._digests: dict[tuple[str, str, Names], str] = {}
-        self._provers: dict[str, Names] = {}
+    image_set: ImageSet
+    inputs: Inputs
+    entries: Mapping[Key, Entry]  # of the records; a run keeps them up to date
+    requested: frozenset[str]  # targets of the images that are part of the run
+    everything: bool  # these run all tests, also those that passed in others with the same parts
+    outdated: Callable[[Key], list[str]]  # why an image has to be rebuilt; empty if it is not part of the run
+    _digests: dict[tuple[str, str, Names], str] = field(default_factory=dict)
+    _provers: dict[str, Names] = field(default_factory=dict)
 
     def to_run(self, item: Item) -> Names:
         """The tests that an image runs: its own; and those that it shares, unless they are part of this run in another
@@ -68,7 +54,7 @@ class SharedTests:
 
     def outcome(self, item: Item) -> str:
         """What the records say about an image that did not pass today's tests."""
-        entry = self._entries[item.key]
+        entry = self.entries[item.key]
         if not entry.tested:
             return "not tested yet"
         if not self._tested(item, entry):
@@ -79,7 +65,7 @@ class SharedTests:
         """A digest of tests of an image: files, programs and expected values, without the image itself."""
         key = (*item.key, names)
         if key not in self._digests:
-            inputs = self._inputs.of_tests(_image(item), item.architecture, names)
+            inputs = self.inputs.of_tests(_image(item), item.architecture, names)
             content = {name: value for name, value in inputs.items() if not name.startswith(TARGET)}
             content["budget"] = str(_image(item).budget)
             self._digests[key] = hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
@@ -88,8 +74,8 @@ class SharedTests:
     def provers(self, image: Image) -> Names:
         """Images that may have run tests that an image shares: on the same ROS image; or on that or a lower one, with all its parts."""
         if image.target not in self._provers:
-            lower, below = {_ros_of(image)}, self._image_set.by_target.get(_ros_of(image))
-            while below := below and self._image_set.by_target.get(below.parent):
+            lower, below = {_ros_of(image)}, self.image_set.by_target.get(_ros_of(image))
+            while below := below and self.image_set.by_target.get(below.parent):
                 lower.add(below.target)
             self._provers[image.target] = tuple(
                 other.target
@@ -106,20 +92,16 @@ class SharedTests:
         """Why shared tests in other images prove nothing for this image; empty if they passed, or the image ran all
         tests."""
         image = _image(item)
-        names = {*self._ran(item, self._entries[item.key])}
+        names = {*self._ran(item, self.entries[item.key])}
         for shared, first in ((_of_ros(image), image.parent), (_of_parts(image), next(iter(image.carriers), ""))):
-            if (
-                first in self._requested
-                and first != image.target
-                and (reason := self._unproven_in(item, first, shared))
-            ):
+            if first in self.requested and first != image.target and (reason := self._unproven_in(item, first, shared)):
                 return reason
             if not names.issuperset(shared) and (reason := self._unproven(item, shared, first)):
                 return reason
         return ""
 
     def _runs_all(self, item: Item) -> bool:
-        return self._everything and item.target in self._requested
+        return self.everything and item.target in self.requested
 
     def _tested(self, item: Item, entry: Entry) -> bool:
         required = {*_image(item).shared} if self._runs_all(item) else set()
@@ -136,13 +118,13 @@ class SharedTests:
 
     def _proven_elsewhere(self, item: Item, names: Names, first: str = "") -> bool:
         """Whether tests that an image shares passed in another one, or run in `first`, which is part of this run."""
-        return (first in self._requested and first != item.target) or not self._unproven(item, names, first)
+        return (first in self.requested and first != item.target) or not self._unproven(item, names, first)
 
     def _unproven(self, item: Item, names: Names, first: str) -> str:
         """Why tests that an image shares passed in no image that counts for it; the reason is about `first`."""
         reason = ""
         for target in dict.fromkeys((first, *self.provers(_image(item)))):
-            if target in self._image_set.by_target and (target, item.architecture) in self._entries:
+            if target in self.image_set.by_target and (target, item.architecture) in self.entries:
                 why = self._unproven_in(item, target, names)
                 if not why:
                     return ""
@@ -151,13 +133,13 @@ class SharedTests:
 
     def _unproven_in(self, item: Item, target: str, names: Names) -> str:
         """Why tests prove nothing that ran in one other image; empty if they passed there, with the same parts."""
-        prover = self._image_set.by_target[target]
+        prover = self.image_set.by_target[target]
         proof = Item(prover, item.architecture, ())
-        entry = self._entries.get(proof.key)
+        entry = self.entries.get(proof.key)
         what = f"tests that it shares with {target}"
         if entry is None or not entry.digest:
             return f"{what}: that image is missing"
-        if why := self._outdated(proof.key):
+        if why := self.outdated(proof.key):
             return f"{what}: {why[0]}"
         ran = {*self._ran(proof, entry)}
         if not ran or not (entry.passed or entry.failures):
@@ -167,7 +149,7 @@ class SharedTests:
         if failures := [failure for failure in entry.failures if failure.partition(":")[0] in common]:
             return f"{what} failed: {some(failures)}"
         for name, digest in entry.parts.items():
-            if (part := self._entries.get((name, item.architecture))) and part.digest != digest:
+            if (part := self.entries.get((name, item.architecture))) and part.digest != digest:
                 return f"{what}: that image has another {name}"
         if not (open_names := tuple(name for name in names if name not in ran)):
             return ""
@@ -176,7 +158,7 @@ class SharedTests:
     @cached_property
     def _by_distribution(self) -> Mapping[str, Sequence[Image]]:
         images: defaultdict[str, list[Image]] = defaultdict(list)
-        for image in self._image_set.images:
+        for image in self.image_set.images:
             images[image.distribution].append(image)
         return images
 

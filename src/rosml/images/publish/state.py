@@ -26,64 +26,42 @@ from rosml.registry.place import Place
 
 @dataclass(frozen=True)
 class Request:
-    """What a survey has to find out.
-
-    Attributes:
-        date: of the run; empty if nothing will be built.
-        only: patterns of targets, or groups; all if empty.
-        architectures: the architectures to work for; the machine's own if empty.
-        serve: the architectures that the registry serves; all of the matrix if empty.
-        scanning: digest of the scan policy; empty if images need no scan.
-        package_state: the package state of distributions, from a plan. All steps of a run use the plan's state.
-            Packages that move later wait for the next run, unless a build fails because of them.
-        whole: judge the ROS images and parts below images on all of their architectures.
-        inputs: inputs of the image set's targets, if they were read before.
-        all_tests: the requested images run all tests, also those that passed in others with the same parts.
-        elsewhere: names of parts that other machines of the run build, and that are built here only if they are missing at the end;
-            None if there are no other machines.
-    """
+    """What a survey has to find out."""
 
     services: Services
     image_set: ImageSet
     place: Place
-    date: str = ""
-    only: tuple[str, ...] = ()
-    architectures: tuple[str, ...] = ()
-    serve: tuple[str, ...] = ()
+    date: str = ""  # of the run; empty if nothing will be built
+    only: tuple[str, ...] = ()  # patterns of targets, or groups; all if empty
+    architectures: tuple[str, ...] = ()  # those to work for; the machine's own if empty
+    serve: tuple[str, ...] = ()  # the architectures that the registry serves; all of the matrix if empty
     force: bool = False
-    scanning: str = ""
+    scanning: str = ""  # digest of the scan policy; empty if images need no scan
+    # The package state of distributions, from a plan. All steps of a run use the plan's state. Packages that move later
+    # wait for the next run, unless a build fails because of them.
     package_state: Mapping[str, str] = field(default_factory=dict)
-    whole: bool = False
-    inputs: Inputs | None = None
-    all_tests: bool = False
-    elsewhere: frozenset[str] | None = None
+    whole: bool = False  # judge the ROS images and parts below images on all of their architectures
+    inputs: Inputs | None = None  # inputs of the image set's targets, if they were read before
+    all_tests: bool = False  # the requested images run all tests, also those that passed in others with the same parts
+    # Names of parts that other machines of the run build, and that are built here only if they are missing at the end.
+    elsewhere: frozenset[str] | None = None  # None if there are no other machines
 
 
 @dataclass
 class State:
-    """The requested images and parts, and what the registry and the package repositories say about them.
-
-    Attributes:
-        images: the requested images.
-        architectures: the architectures that this run works for.
-        entries: of the records; a run keeps them up to date.
-        present: the entries whose manifest is in the registry.
-        package_state: the package state of each distribution whose repositories answered.
-        unpublished: packages that the archive of a distribution lacks, by distribution and architecture.
-        remarks: for people, such as a repository that does not answer.
-        forced: items that a run with `force` rebuilt already.
-    """
+    """The requested images and parts, and what the registry and the package repositories say about them."""
 
     request: Request
     inputs: Inputs
-    images: tuple[Image, ...]
-    architectures: tuple[str, ...]
-    entries: dict[Key, Entry] = field(default_factory=dict)
-    present: set[Key] = field(default_factory=set)
-    package_state: dict[str, str] = field(default_factory=dict)
+    images: tuple[Image, ...]  # the requested images
+    architectures: tuple[str, ...]  # those that this run works for
+    entries: dict[Key, Entry] = field(default_factory=dict)  # of the records; a run keeps them up to date
+    present: set[Key] = field(default_factory=set)  # the entries whose manifest is in the registry
+    package_state: dict[str, str] = field(default_factory=dict)  # of each distribution whose repositories answered
+    # Packages that the archive of a distribution lacks, by distribution and architecture.
     unpublished: dict[Key, frozenset[str]] = field(default_factory=dict)
-    remarks: list[str] = field(default_factory=list)
-    forced: set[Key] = field(default_factory=set)
+    remarks: list[str] = field(default_factory=list)  # for people, such as a repository that does not answer
+    forced: set[Key] = field(default_factory=set)  # items that a run with `force` rebuilt already
 
     @property
     def image_set(self) -> ImageSet:

@@ -38,27 +38,17 @@ waiting for a builder: this machine cannot build the image."""
 
 @dataclass(frozen=True)
 class ImageStatus:
-    """The state of an image.
-
-    Attributes:
-        state: one of STATES.
-        reason: why the image is not published in its present form.
-        tag: the main tag, with the repository.
-        digest: the index behind the tag; empty if there is none.
-        date: of the run that made the index; empty if unknown.
-        age: seconds since then.
-        log: the last lines of what failed, from the records.
-    """
+    """The state of an image."""
 
     target: str
-    state: str
-    reason: str
-    tag: str
-    digest: str
-    date: str
-    age: float | None
+    state: str  # one of STATES
+    reason: str  # why the image is not published in its present form
+    tag: str  # the main tag, with the repository
+    digest: str  # the index behind the tag; empty if there is none
+    date: str  # of the run that made the index; empty if unknown
+    age: float | None  # seconds since then
     platforms: tuple[str, ...]
-    log: str = ""
+    log: str = ""  # the last lines of what failed, from the records
 
     def to_json(self) -> dict[str, Any]:
         return {**vars(self), "platforms": list(self.platforms)}

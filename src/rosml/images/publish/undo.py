@@ -5,7 +5,6 @@ This reads only the run's record and the indexes in it: no matrix, and nothing o
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from datetime import datetime, timedelta
@@ -18,34 +17,24 @@ from rosml.images.image_set.model import PARTS
 from rosml.images.matrix.names import part_target
 from rosml.images.publish.run import Outcome
 from rosml.images.records.store import INDEX, Records
-from rosml.images.records.tag_moves import UNDO, Move, later_moves, mark_undone, read_moves, record_name
+from rosml.images.records.tag_moves import UNDO, Move, later_moves, mark_undone, read_moves, record_name, run_date
 
 RECENT = timedelta(days=1)
 """A last run that is older than this is undone only by its name: whoever means last night's may not know that it moved no tag."""
 
-_STAMP = re.compile(r"(\d{4})(\d\d)(\d\d)T(\d\d)(\d\d)(\d\d)Z", re.ASCII)
-
 
 @dataclass(frozen=True)
 class RecordedRun:
-    """A run that moved tags.
+    """A run that moved tags."""
 
-    Attributes:
-        name: the tag of its record.
-        moves: in their order.
-        later: where later runs moved tags, by repository, tag and digest, with the date of the last of these runs.
-    """
-
-    name: str
-    moves: tuple[Move, ...]
+    name: str  # the tag of its record
+    moves: tuple[Move, ...]  # in their order
+    # Where later runs moved tags, by repository, tag and digest, with the date of the last of these runs.
     later: Mapping[tuple[str, str, str], str] = field(default_factory=dict)
 
     @property
     def date(self) -> str:
-        """The run's date; the end of the record's tag, if that is no date."""
-        text = self.name.removeprefix(UNDO)
-        stamp = _STAMP.fullmatch(text)
-        return "{}-{}-{}T{}:{}:{}Z".format(*stamp.groups()) if stamp else text
+        return run_date(self.name)
 
     def reason_to_stay(self, move: Move, digest: str) -> str:
         """Why an undo leaves a tag at the digest where it is now; empty if it moves it."""

@@ -42,63 +42,36 @@ CREATED = "org.opencontainers.image.created"
 
 @dataclass(frozen=True)
 class Entry:
-    """An image, or part, on one architecture. A field is empty if nothing is known about it.
-
-    Attributes:
-        target: bake target.
-        architecture: such as `amd64`, or INDEX.
-        inputs: the inputs digest.
-        package_state: state of the package repositories that its packages came from.
-        repository: without the registry's prefix.
-        digest: of the image manifest or index; empty if nothing was made yet.
-        parts: digests by target of what the image was joined from or built on; of an index, its images by architecture.
-        size: bytes of the layers, compressed.
-        unpacked: bytes of the root file system.
-        tested: digest of the tests that ran.
-        passed: how many tests passed.
-        provenance: digests of the provenance statements, by builder.
-        sbom: for a ROS image or part, digest of the artifact with its SBOM.
-        described: for a ROS image or part, `contents.FORMAT` of what is attached to it.
-        scanned: outcome of the scan.
-        scan: findings by severity, the worst of them by name, the digest and date of the database, and the digest of the
-            policy.
-        versions: of packages and programs found in the image.
-        seconds: wall time by step.
-        date: of the run that made it.
-        changed: date of the run that wrote this entry.
-        held: for an index, when its tags were moved back. It gets no more tags.
-        failed: the step that failed last, and why.
-        superseded: earlier digests, which may still be in the registry.
-        signed: for an index, when it was signed, by the signature's identity.
-    """
+    """An image, or part, on one architecture. A field is empty if nothing is known about it."""
 
     __pydantic_config__: ClassVar[ConfigDict] = ConfigDict(extra="forbid")
 
-    target: str
-    architecture: str
-    inputs: str = ""
-    package_state: str = ""
-    repository: str = ""
-    digest: str = ""
+    target: str  # bake target
+    architecture: str  # such as `amd64`, or INDEX
+    inputs: str = ""  # the inputs digest
+    package_state: str = ""  # state of the package repositories that its packages came from
+    repository: str = ""  # without the registry's prefix
+    digest: str = ""  # of the image manifest or index; empty if nothing was made yet
+    # Digests by target of what the image was joined from or built on; of an index, its images by architecture.
     parts: Mapping[str, str] = field(default_factory=dict)
-    size: int = 0
-    unpacked: int = 0
-    tested: str = ""
-    passed: int = 0
+    size: int = 0  # bytes of the layers, compressed
+    unpacked: int = 0  # bytes of the root file system
+    tested: str = ""  # digest of the tests that ran
+    passed: int = 0  # how many tests passed
     failures: tuple[str, ...] = ()
-    provenance: Mapping[str, str] = field(default_factory=dict)
-    sbom: str = ""
-    described: str = ""
-    scanned: str = ""
-    scan: Mapping[str, Any] = field(default_factory=dict)
-    versions: Mapping[str, str] = field(default_factory=dict)
-    seconds: Mapping[str, float] = field(default_factory=dict)
-    date: str = ""
-    changed: str = ""
-    held: str = ""
-    failed: Mapping[str, str] = field(default_factory=dict)
-    superseded: tuple[str, ...] = ()
-    signed: Mapping[str, str] = field(default_factory=dict)
+    provenance: Mapping[str, str] = field(default_factory=dict)  # digests of the provenance statements, by builder
+    sbom: str = ""  # for a ROS image or part, digest of the artifact with its SBOM
+    described: str = ""  # for a ROS image or part, `contents.FORMAT` of what is attached to it
+    scanned: str = ""  # outcome of the scan
+    scan: Mapping[str, Any] = field(default_factory=dict)  # what the policy and the database said
+    versions: Mapping[str, str] = field(default_factory=dict)  # of packages and programs found in the image
+    seconds: Mapping[str, float] = field(default_factory=dict)  # wall time by step
+    date: str = ""  # of the run that made it
+    changed: str = ""  # date of the run that wrote this entry
+    held: str = ""  # for an index, when its tags were moved back. It gets no more tags.
+    failed: Mapping[str, str] = field(default_factory=dict)  # the step that failed last, and why
+    superseded: tuple[str, ...] = ()  # earlier digests, which may still be in the registry
+    signed: Mapping[str, str] = field(default_factory=dict)  # for an index, when, by the signature's identity
 
     @property
     def tag(self) -> str:

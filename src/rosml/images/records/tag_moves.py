@@ -30,21 +30,23 @@ class Move:
 
 
 class _Record(Shape):
-    """The content of a record.
-
-    Attributes:
-        date: of the run.
-        undone: when somebody undid the run; empty if nobody did.
-    """
+    """The content of a record."""
 
     moves: list[Move]
-    date: str = ""
-    undone: str = ""
+    date: str = ""  # of the run
+    undone: str = ""  # when somebody undid the run; empty if nobody did
 
 
 def record_name(date: str) -> str:
     """The tag of a run's record."""
     return UNDO + re.sub(r"[^0-9TZ]", "", date)
+
+
+def run_date(name: str) -> str:
+    """The date of a run from the tag of its record; the end of the tag, if it is no date."""
+    text = name.removeprefix(UNDO)
+    match = re.fullmatch(r"(\d{4})(\d\d)(\d\d)T(\d\d)(\d\d)(\d\d)Z", text, re.ASCII)
+    return "{}-{}-{}T{}:{}:{}Z".format(*match.groups()) if match else text
 
 
 def read_moves(records: Records, name: str) -> list[Move]:

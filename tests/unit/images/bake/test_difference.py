@@ -38,7 +38,14 @@ def since(text: str, root: Path = ROOT) -> differences.Difference:
 
 def test_nothing_differs(repository: Path) -> None:
     count = len(parse(SMALL).images)
-    nothing = {"added": [], "removed": [], "changed": {}, "tags": {}, "unbuildable": [], "registry": None}
+    nothing: dict[str, Any] = {
+        "added": [],
+        "removed": [],
+        "changed": {},
+        "tags": {},
+        "unbuildable": [],
+        "registry": None,
+    }
     assert changes(repository, "HEAD") == nothing | {"same": count}
     (repository / "matrix.yaml").write_text(f"# A comment.\n{SMALL}")
     (repository / "README.md").write_text("")

@@ -15,7 +15,7 @@ from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images, contents, sync
 from rosml.images.builds.maker import BuildKitMaker
-from rosml.images.image_set.model import Image, ImageSet, repository_of
+from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
 from rosml.images.matrix import names
 from rosml.images.publish import run as running
 from rosml.images.publish.steps import STEPS
@@ -42,7 +42,8 @@ def bake(registry: Publisher, image_set: ImageSet, build: Callable[[buildx.Bake]
 
     def run_all(_services: Services, call: buildx.Bake) -> tuple[None, dict[str, dict[str, str]]]:
         build(call)
-        things = {thing.target: thing for thing in (*image_set.images, *image_set.parts)}
+        every: list[Image | Part] = [*image_set.images, *image_set.parts]
+        things = {thing.target: thing for thing in every}
         architecture = base_images.native_architecture()
         digests = {
             target: put_image(

@@ -4,9 +4,7 @@ these write several times a day; of ROS's own repository by its date."""
 from __future__ import annotations
 
 import hashlib
-import http.server
 import itertools
-import threading
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,27 +12,12 @@ from pathlib import Path
 import pytest
 from conftest import WHEELS, changed, parse
 
+from fakes.release_files import DATE, FACTS, PATHS, RELEASE, SYNC, Mirror, release_server
 from rosml.base.errors import RosmlError
 from rosml.images.builds import apt_sources, package_state
 from rosml.images.matrix.model import Matrix
 from rosml.machine.services import Services
 
-RELEASE = """\
-Origin: Debian
-Date: {date}
-SHA256:
- {amd64} 12345678 main/binary-amd64/Packages
- {arm64} 12345677 main/binary-arm64/Packages
- {universe} 12345675 universe/binary-amd64/Packages
- {other} 3456 main/binary-amd64/Packages.xz
- {other} 12345676 main/binary-armhf/Packages
- {other} 3456 contrib/binary-amd64/Packages
-"""
-FACTS = {"date": "Sat, 21 Nov 2026 10:00:00 UTC"} | {
-    name: letter * 64 for name, letter in (("amd64", "a"), ("arm64", "b"), ("other", "c"), ("universe", "f"))
-}
-DATE = "2026-11-20T21:14:09Z"
-SYNC = "/ros2/ubuntu/dists/noble/InRelease"
 ROWS = {"omega": "bookworm", "alpha": "noble", "sigma": "noble"}
 """Rows whose ROS is the system's own, from ROS's repository, and from wheels: the suite that their system is of."""
 SYSTEMS = {"ubuntu-24.04": "noble", "ubuntu-26.04": "bookworm"}
@@ -43,53 +26,7 @@ deb {address}/debian {suite} main universe
 deb {address}/debian {suite}-updates main universe
 deb {address}/debian-security {suite}-security main universe
 """
-PATHS = {
-    suite: [
-        f"/debian/dists/{suite}/Release",
-        f"/debian/dists/{suite}-updates/Release",
-        f"/debian-security/dists/{suite}-security/Release",
-    ]
-    for suite in ("bookworm", "noble")
-}
 EVERY = [(row, path) for row, suite in ROWS.items() for path in PATHS[suite]]
-
-
-class Mirror(http.server.ThreadingHTTPServer):
-    """An archive, of which there are the Release files: by path, what they say."""
-
-    files: dict[str, bytes]
-    requests: list[str]
-
-    @property
-    def address(self) -> str:
-        return f"http://127.0.0.1:{self.server_port}"
-
-
-class Handler(http.server.BaseHTTPRequestHandler):
-    server: Mirror
-
-    def do_GET(self) -> None:
-        self.server.requests.append(self.path)
-        body = self.server.files.get(self.path)
-        self.send_response(200 if body is not None else 404)
-        self.end_headers()
-        self.wfile.write(body or b"")
-
-    def log_message(self, format: str, *args: object) -> None:
-        pass
-
-
-@pytest.fixture
-def mirror(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
-    for name in ("no_proxy", "NO_PROXY"):
-        monkeypatch.setenv(name, "127.0.0.1")
-    with Mirror(("127.0.0.1", 0), Handler) as server:
-        lists = RELEASE.format(**FACTS).encode()
-        server.files, server.requests = {path: lists for paths in PATHS.values() for path in paths}, []
-        server.files[SYNC] = b"Suite: noble\nDate: Fri, 20 Nov 2026 21:14:09 UTC\n"
-        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
-        yield server
-        server.shutdown()
 
 
 def without_apt(text: str) -> str:
@@ -125,16 +62,22 @@ class Machine:
 
 
 @pytest.fixture
+def mirror(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
+    with release_server(monkeypatch) as server:
+        yield server
+
+
+@pytest.fixture
 def machine(tmp_path: Path, mirror: Mirror, monkeypatch: pytest.MonkeyPatch) -> Machine:
     """One whose base images name the local replacement."""
-    machine_of_test = Machine(Services.load(tmp_path, required=False))
-    machine_of_test.name(mirror.address)
+    asking = Machine(Services.load(tmp_path, required=False))
+    asking.name(mirror.address)
 
     def sources(_services: object, _systems: object, system: str) -> tuple[apt_sources.Source, ...]:
-        return apt_sources.parse({"etc/apt/sources.list": machine_of_test.sources[system]}, system)
+        return apt_sources.parse({"etc/apt/sources.list": asking.sources[system]}, system)
 
     monkeypatch.setattr(apt_sources, "sources", sources)
-    return machine_of_test
+    return asking
 
 
 @pytest.mark.parametrize("row", ROWS)

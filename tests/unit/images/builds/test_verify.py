@@ -40,7 +40,8 @@ def test_labels(small: ImageSet) -> None:
 def test_flat_configs_have_one_order_and_no_gaps() -> None:
     """The same labels are the same bytes: otherwise the builder would run the same tests again."""
     empty = {"Env": [], "Entrypoint": [], "Cmd": [], "WorkingDir": "", "Labels": {}}
-    for config in ({}, {"config": {}}, {"config": {"Env": None, "Labels": None, "Cmd": None}}):
+    configs: tuple[dict[str, Any], ...] = ({}, {"config": {}}, {"config": {"Env": None, "Labels": None, "Cmd": None}})
+    for config in configs:
         assert structure_tests.flat_config(config) == {"config": empty}
     labels = [("io.rosml.os", "x"), ("io.rosml.ros", "2")]
     one, other = ({"config": {"Labels": dict(items)}} for items in (labels, reversed(labels)))

@@ -37,10 +37,7 @@ Tags = Mapping[tuple[str, str], str]
 def promote(run: Run) -> list[Move]:
     """Moves the tags of all images whose index is up to date. If the registry refuses one image, the others still move.
     If it refuses the record of where a batch's tags were, none of these tags moves.
-
-    Works on images in batches, so that if the run is ended, for example by a time limit, the first images have their
-    tags.
-    """
+    It works in batches, so that if the run is ended, for example by a time limit, the first images have their tags."""
     return _Promotion(run).moves()
 
 

@@ -33,13 +33,7 @@ def scan(
 ) -> judge.Run:
     """Scans all images in the registry, on all architectures: a scan reads only the registry. Each result is recorded
     at once, so that it is kept if the run ends early. An image that was clean by the same policy and the same database
-    is not scanned again.
-
-    Args:
-        trivy: the scanner, with its database; or why there is none.
-        reports: a folder for a SARIF file of each image.
-        results: takes the results. Then nothing is written into the registry.
-    """
+    is not scanned again. `reports` is a folder for SARIF; `results` takes what else would go into the registry."""
     state, policy = run.state, policy_digest(rules, run.state.date)
 
     def keep(scanned: judge.Scanned) -> None:

@@ -1,0 +1,73 @@
+"""An archive of packages, of which there are only the Release files."""
+
+from __future__ import annotations
+
+import http.server
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import pytest
+
+RELEASE = """\
+Origin: Debian
+Date: {date}
+SHA256:
+ {amd64} 12345678 main/binary-amd64/Packages
+ {arm64} 12345677 main/binary-arm64/Packages
+ {universe} 12345675 universe/binary-amd64/Packages
+ {other} 3456 main/binary-amd64/Packages.xz
+ {other} 12345676 main/binary-armhf/Packages
+ {other} 3456 contrib/binary-amd64/Packages
+"""
+FACTS = {"date": "Sat, 21 Nov 2026 10:00:00 UTC"} | {
+    name: letter * 64 for name, letter in (("amd64", "a"), ("arm64", "b"), ("other", "c"), ("universe", "f"))
+}
+DATE = "2026-11-20T21:14:09Z"
+SYNC = "/ros2/ubuntu/dists/noble/InRelease"
+PATHS = {
+    suite: [
+        f"/debian/dists/{suite}/Release",
+        f"/debian/dists/{suite}-updates/Release",
+        f"/debian-security/dists/{suite}-security/Release",
+    ]
+    for suite in ("bookworm", "noble")
+}
+
+
+class Mirror(http.server.ThreadingHTTPServer):
+    """An archive, of which there are the Release files: by path, what they say."""
+
+    files: dict[str, bytes]
+    requests: list[str]
+
+    @property
+    def address(self) -> str:
+        return f"http://127.0.0.1:{self.server_port}"
+
+
+class Handler(http.server.BaseHTTPRequestHandler):
+    server: Mirror
+
+    def do_GET(self) -> None:
+        self.server.requests.append(self.path)
+        body = self.server.files.get(self.path)
+        self.send_response(200 if body is not None else 404)
+        self.end_headers()
+        self.wfile.write(body or b"")
+
+    def log_message(self, format: str, *args: object) -> None:
+        pass
+
+
+@contextmanager
+def release_server(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
+    for name in ("no_proxy", "NO_PROXY"):
+        monkeypatch.setenv(name, "127.0.0.1")
+    with Mirror(("127.0.0.1", 0), Handler) as server:
+        lists = RELEASE.format(**FACTS).encode()
+        server.files, server.requests = {path: lists for paths in PATHS.values() for path in paths}, []
+        server.files[SYNC] = b"Suite: noble\nDate: Fri, 20 Nov 2026 21:14:09 UTC\n"
+        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
+        yield server
+        server.shutdown()
