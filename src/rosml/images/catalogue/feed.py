@@ -74,7 +74,7 @@ def _id(name: str) -> str:
 
 
 def _title(run: str, moved: Sequence[Moved]) -> str:
-    new = sum(not move.old for _, move in moved)
+    new = sum(not move.previous for _, move in moved)
     first = "" if not new else ", all for the first time" if new == len(moved) else f", {new} for the first time"
     return f"{run[:10]}: {counted(len(moved), 'image')} published{first}"
 
@@ -92,8 +92,8 @@ def _content(moved: Sequence[Moved], layers: Sequence[Layer]) -> str:
 def _change(image: Image, move: Move, layers: Sequence[Layer]) -> str:
     """What a run changed in an image, in words."""
     builds = {build.digest: build for build in image.builds}
-    before, after = builds.get(move.old), builds.get(move.new)
-    if not move.old:
+    before, after = builds.get(move.previous), builds.get(move.new)
+    if not move.previous:
         changes = ["new"]
     elif before is None or after is None:
         changes = ["changed"]

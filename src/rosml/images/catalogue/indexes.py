@@ -83,7 +83,7 @@ class Reader:
         digests: dict[str, list[str]] = {}
         for thing in things:
             entry = entries.get((thing.target, INDEX))
-            moved = [digest for move in moves_of[thing.target] for digest in (move.new, move.old)]
+            moved = [digest for move in moves_of[thing.target] for digest in (move.new, move.previous)]
             former = [*tags[thing.target].values(), *moved, *(entry.superseded if entry else ())]
             digests[thing.target] = list(dict.fromkeys(filter(None, former)))
         keys = list(dict.fromkeys((repository_of(t), digest) for t in things for digest in digests[t.target]))
@@ -122,9 +122,11 @@ class Reader:
         by_tag: dict[tuple[str, str], list[Move]] = {}
         for name, moves in _each(names, self._recorded_moves, "records").items():
             for move in moves:
-                if move.old != move.new:
+                if move.previous != move.new:
                     run = tag_moves.run_date(name)
-                    by_tag.setdefault((move.repository, move.tag), []).append(Move(run=run, old=move.old, new=move.new))
+                    by_tag.setdefault((move.repository, move.tag), []).append(
+                        Move(run=run, previous=move.previous, new=move.new)
+                    )
         return by_tag
 
     def _recorded_moves(self, name: str) -> list[tag_moves.Move]:

@@ -35,7 +35,9 @@ SIGNER = r"^(?:https://[A-Za-z0-9._~/@:+-]+|sha256:[0-9a-f]{64})$"
 class Fact(Shape):
     """Base of all: unknown keys are errors, nothing changes afterwards."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+    model_config = ConfigDict(
+        extra="forbid", frozen=True, serialize_by_alias=True, validate_by_name=True, validate_by_alias=True
+    )
 
 
 class Distribution(Fact):
@@ -109,8 +111,9 @@ class Scan(Fact):
     packages: Count = Field(description="how many packages were held against it")
     findings: dict[str, Count] = Field(description="number of findings by severity, those that are ignored among them")
     failing: tuple[str, ...] = Field(description="advisories that stop the image")
-    named: tuple[Vulnerability, ...] = Field(
-        description="at most 20 of the findings: those that stop the image, then the worst; none of older scans"
+    vulnerabilities: tuple[Vulnerability, ...] = Field(
+        alias="named",
+        description="at most 20 of the findings: those that stop the image, then the worst; none of older scans",
     )
 
 
@@ -159,7 +162,7 @@ class Move(Fact):
     """A run moved the main tag."""
 
     run: str = Field(description="date of the run")
-    old: str = Field(description="the digest before; empty if there was none")
+    previous: str = Field(alias="old", description="the digest before; empty if there was none")
     new: str
 
 

@@ -34,7 +34,7 @@ def scan_of(entry: Entry) -> Scan | None:
             packages=scan.packages,
             findings=scan.findings,
             failing=tuple(scan.failing),
-            named=tuple(filter(None, map(_vulnerability, scan.vulnerabilities[:NAMED]))),
+            vulnerabilities=tuple(filter(None, map(_vulnerability, scan.vulnerabilities[:NAMED]))),
         )
     except ValidationError:
         return None

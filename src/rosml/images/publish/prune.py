@@ -264,7 +264,7 @@ class _Removal:
             if self._run_records.get(name) != digest:
                 self._run_records[name] = digest
                 moves = read_moves(Records(self._place), name)
-                self._moved |= {(move.repository, end) for move in moves for end in (move.old, move.new) if end}
+                self._moved |= {(move.repository, end) for move in moves for end in (move.previous, move.new) if end}
         path = self._place.path(repository)
         tags = [tag for tag in self._graph.tags(path) if tag != without]
         digests = side_by_side(partial(self._client.head, path), tags)
@@ -296,9 +296,9 @@ def _book(place: Place, oldest: date) -> tuple[Digests, Digests, list[str]]:
             roots.setdefault(entry.repository, set()).add(entry.digest)
     for name, moves in zip(records, side_by_side(partial(read_moves, book), records), strict=True):
         for move in moves:  # an undo must be able to bring back what a kept record names
-            if move.old:
+            if move.previous:
                 digests = candidates if name in expired else roots
-                digests.setdefault(move.repository, set()).add(move.old)
+                digests.setdefault(move.repository, set()).add(move.previous)
     return roots, candidates, expired
 
 

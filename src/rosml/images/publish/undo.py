@@ -45,11 +45,11 @@ class RecordedRun:
 
     def foreseen(self, move: Move, digest: str) -> str:
         """What an undo would do with a tag that is at a digest now."""
-        if digest == move.old:
+        if digest == move.previous:
             return "is back already"
         if reason := self.reason_to_stay(move, digest):
             return f"stays: {reason}"
-        return f"would move back to {move.old}" if move.old else "would be removed: it was not there before"
+        return f"would move back to {move.previous}" if move.previous else "would be removed: it was not there before"
 
     def age(self, date: str) -> timedelta | None:
         """The time from the run to a date; None if one of the two is no date."""
@@ -77,7 +77,7 @@ def undo(book: Records, date: str, run: RecordedRun) -> list[Outcome]:
     held = {
         (move.repository, move.new)
         for move, digest in moves
-        if digest == move.old or not run.reason_to_stay(move, digest)
+        if digest == move.previous or not run.reason_to_stay(move, digest)
     }
     side_by_side(lambda index: _hold(book, *index, date), sorted(held))
     mark_undone(book, run.name, date)
@@ -100,20 +100,22 @@ def whereabouts(book: Records, run: RecordedRun) -> list[tuple[Move, str]]:
 def _move_back(book: Records, run: RecordedRun, move: Move, digest: str) -> Outcome | None:
     """Moves one tag back from the digest where it is now; None if it is back already."""
     repository, text = book.place.path(move.repository), f"{move.repository}:{move.tag}"
-    if digest == move.old:
+    if digest == move.previous:
         return None
     if reason := run.reason_to_stay(move, digest):
         return Outcome("undo", text, "", "waits", reason)
     try:
-        if move.old:
-            book.registry.tag(repository, move.old, move.tag)
+        if move.previous:
+            book.registry.tag(repository, move.previous, move.tag)
         else:
             book.registry.delete(repository, move.tag)
     except RosmlError as error:  # the registry deletes no tag, or the old index is gone: the other tags still move
         book.registry.head(book.repository, run.name)  # raises if the registry is down, before all other tags time out
         reason = f"{error.message}: {error.remedy}" if error.remedy else error.message
         return Outcome("undo", text, "", "failed", reason)
-    return Outcome("undo", text, "", "done", f"back to {move.old}" if move.old else "removed: it was not there before")
+    return Outcome(
+        "undo", text, "", "done", f"back to {move.previous}" if move.previous else "removed: it was not there before"
+    )
 
 
 def _hold(book: Records, repository: str, digest: str, date: str) -> None:

@@ -6,6 +6,9 @@ import json
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from typing import Annotated
+
+from pydantic import Field
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
@@ -18,15 +21,15 @@ UNDO = "undo."
 
 @dataclass(frozen=True)
 class Move:
-    """A move of a tag from an old digest, empty if the tag did not exist, to a new one. `repository` has no prefix."""
+    """A move of a tag from the previous digest, empty if it did not exist, to a new one. `repository` has no prefix."""
 
     repository: str
     tag: str
-    old: str
+    previous: Annotated[str, Field(alias="old")]
     new: str
 
     def to_json(self) -> dict[str, str]:
-        return dict(vars(self))
+        return {"repository": self.repository, "tag": self.tag, "old": self.previous, "new": self.new}
 
 
 class _Record(Shape):
@@ -81,7 +84,7 @@ def record(records: Records, date: str, planned: Iterable[Move]) -> None:
     merged = dict(before)
     for move in planned:
         first = before.get((move.repository, move.tag))
-        merged[move.repository, move.tag] = replace(move, old=first.old if first else move.old)
+        merged[move.repository, move.tag] = replace(move, previous=first.previous if first else move.previous)
     _write(records, name, date, merged.values())
 
 

@@ -90,7 +90,7 @@ def test_what_a_run_published(published: tuple[Publisher, ImageSet]) -> None:
         assert platform.size.compressed == entry.size == sum(part.compressed for part in platform.parts.values())
         assert platform.tests and platform.tests.passed == 5
         assert (platform.versions, platform.found_inside) == ({"torch": "2.10.0"}, True)
-    assert [(move.run, move.old) for move in item.moves] == [(DAY, "")]
+    assert [(move.run, move.previous) for move in item.moves] == [(DAY, "")]
 
 
 def test_signatures_are_those_of_the_records(published: tuple[Publisher, ImageSet]) -> None:
@@ -138,7 +138,7 @@ def test_history(catalogue: Published) -> None:
         f"ros1-bookworm-base-cu128-{day}" for day in (20261122, 20261121, 20261120)
     ]
     assert [move.run for move in item.moves] == [THIRD, SECOND, FIRST]
-    assert (item.moves[0].old, item.moves[0].new) == (item.builds[1].digest, item.builds[0].digest)
+    assert (item.moves[0].previous, item.moves[0].new) == (item.builds[1].digest, item.builds[0].digest)
     numpy = [build.platforms[0].versions["numpy"] for build in item.builds]
     assert numpy == ["1.26.5", "1.26.4", "1.26.4"], "each as it was catalogue then"
     assert [build.platforms[0].ros_sync for build in item.builds] == ["lists-2", "lists-2", "lists-1"]
@@ -221,7 +221,7 @@ def test_vulnerabilities_have_names_and_what_is_none_is_left_out(real: ImageSet)
         item = image(gather(shelf.registry, real, "ros1-bookworm-core"), "ros1-bookworm-core")
         scan = next(p.scan for p in item.builds[0].platforms if p.platform == "linux/amd64")
         assert scan and scan.findings == {"medium": 3}
-        assert [catalogue.id for catalogue in scan.named] == ["CVE-2026-1000"] * expected
+        assert [catalogue.id for catalogue in scan.vulnerabilities] == ["CVE-2026-1000"] * expected
 
 
 def test_an_sbom_that_is_none_is_left_out(real: ImageSet) -> None:

@@ -104,7 +104,7 @@ def test_no_run_no_entry(tmp_path: Path, real: ImageSet) -> None:
 
 def test_only_the_newest_runs_are_there(catalogue: Published) -> None:
     image = next(item for item in catalogue.images if item.target == TORCH)
-    moves = tuple(Move(run=f"2026-11-{day:02}T03:00:00Z", old="x", new="y") for day in range(25, 0, -1))
+    moves = tuple(Move(run=f"2026-11-{day:02}T03:00:00Z", previous="x", new="y") for day in range(25, 0, -1))
     changed = image.model_copy(update={"moves": moves})
     dates = [date for date, _, _ in entries(parsed(catalogue.model_copy(update={"images": (changed,)})))]
     assert dates == [move.run for move in moves[:20]]
@@ -113,7 +113,7 @@ def test_only_the_newest_runs_are_there(catalogue: Published) -> None:
 def test_what_was_moved_back_is_told(catalogue: Published) -> None:
     image = next(item for item in catalogue.images if item.target == TORCH)
     main, *others = image.tags
-    back = image.model_copy(update={"tags": (main.model_copy(update={"digest": image.moves[0].old}), *others)})
+    back = image.model_copy(update={"tags": (main.model_copy(update={"digest": image.moves[0].previous}), *others)})
     removed = image.model_copy(update={"tags": tuple(others)})
     for changed, change in ((back, "moved back since"), (removed, "removed since")):
         third, second, *_ = entries(parsed(catalogue.model_copy(update={"images": (changed,)})))
@@ -125,7 +125,7 @@ def test_what_a_registry_says_is_text(catalogue: Published) -> None:
     (platform,) = image.builds[0].platforms
     odd = platform.model_copy(update={"versions": {"<script>": "\x00\x1b]&amp;" + "x" * 300}})
     build = image.builds[0].model_copy(update={"platforms": (odd,)})
-    strange = Move(run="<b>2026", old="", new="x")
+    strange = Move(run="<b>2026", previous="", new="x")
     changed = image.model_copy(update={"builds": (build, *image.builds[1:]), "moves": (*image.moves, strange)})
     root = parsed(catalogue.model_copy(update={"images": (changed,)}))
     third, *rest = entries(root)

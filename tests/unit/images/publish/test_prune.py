@@ -123,11 +123,11 @@ def test_what_is_needed_stays_where_only_digests_can_be_deleted(nights: Publishe
     here.today = FIRST + timedelta(days=35)
     pruning = here.find()
     record = next(name for name in nights.registry.tags(f"{PREFIX}/records") if name == "undo.20261006T030000Z")
-    moves = [move for move in tag_moves.read_moves(store.Records(nights.place), record) if move.old]
+    moves = [move for move in tag_moves.read_moves(store.Records(nights.place), record) if move.previous]
     assert moves
     list(here.remove(pruning))
     for move in moves:
-        assert nights.registry.manifest(f"{PREFIX}/{move.repository}", move.old), f"{move.repository}:{move.tag}"
+        assert nights.registry.manifest(f"{PREFIX}/{move.repository}", move.previous), f"{move.repository}:{move.tag}"
     assert not [name for name in nights.registry.tags(f"{PREFIX}/records") if name in pruning.records]
 
 
