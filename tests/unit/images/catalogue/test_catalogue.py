@@ -238,7 +238,7 @@ def test_an_sbom_that_is_none_is_left_out(real: ImageSet) -> None:
     assert index
     for item in index.content["manifests"]:
         item["annotations"] = {
-            f"{COVERED}ros1-bookworm-core": f"../{catalogue.sboms[amd64].digest}",
+            f"{COVERED}ros1-bookworm-core": f"../ros@{catalogue.sboms[amd64].digest}",
             f"{COVERED}x": "y",
         }
     digest = shelf.registry.put_manifest(f"{PREFIX}/ros", "", index.content, index.media_type)

@@ -8,7 +8,10 @@ from pathlib import Path
 
 import pytest
 
+from fakes.memory_registry import NEXT, publisher
 from fakes.projects import git
+from fakes.stubs import services
+from rosml.images.image_set.model import ImageSet
 from rosml.images.publish import provenance
 from rosml.images.publish.provenance import Machine
 
@@ -106,3 +109,15 @@ def test_the_statement() -> None:
             },
         },
     }
+
+
+def test_the_statements_of_other_builders_stay(
+    project: Path, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    registry = publisher(project, services(project), monkeypatch)
+    registry.publish(image_set, only=["alpha-core"])
+    for name, text in GITHUB.items():
+        monkeypatch.setenv(name, text)
+    run = registry.publish(image_set, only=["alpha-core"], date=NEXT, force=True)
+    builders = run.state.entries["alpha-core", "amd64"].provenance.keys()
+    assert builders == {provenance.OWN_MACHINE, Machine.here(NEXT, GITHUB).builder}
