@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from rosml.images.scan.results import Results
 
 
+FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
 ELSEWHERE = {name: f"rosml {name}" for name in ("image", "part", "plan", "status")} | {
     "join": "rosml publish join-images"
 }
@@ -71,9 +72,7 @@ def _step(name: str, help_text: str, options: tuple[str, ...] = _STEP) -> None:
 
 @main.command(short_help="Creates the repositories that a plan writes into.")
 @sharing("matrix", "json")
-@click.option(
-    "--plan", "plan_file", type=click.Path(path_type=Path, exists=True), required=True, help="what 'plan' wrote"
-)
+@click.option("--plan", "plan_file", type=FILE, required=True, help="what 'plan' wrote")
 def repositories(plan_file: Path, matrix: Path, as_json: bool) -> None:
     """Creates the repositories that a plan writes into, one after the other, before several machines push at once.
 
@@ -261,7 +260,7 @@ def database(policy: Path, as_json: bool) -> None:
 
 @main.command(short_help="Writes the results of a scan into the registry.")
 @sharing("registry", "matrix", "only", "plan", "date", "json")
-@click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
+@click.argument("file", type=FILE)
 def record(file: Path, **options: Any) -> None:
     """Writes results into the registry. 'scan --output FILE' made FILE on a machine without write access.
 
@@ -278,7 +277,7 @@ def record(file: Path, **options: Any) -> None:
 
 
 @main.command(alone=True, short_help="Keeps one issue on GitHub while images are not published.")
-@click.argument("file", type=click.Path(path_type=Path, exists=True, dir_okay=False))
+@click.argument("file", type=FILE)
 @click.option(
     "--open", "unpublished", type=click.IntRange(min=0), required=True, help="how many images are not published"
 )

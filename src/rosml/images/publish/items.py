@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from rosml.images.image_set.model import Image, Part, repository_of
+from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
 
 Kind = Literal["ros", "part", "joined"]
 Step = Literal["build", "join", "test", "scan"]
@@ -64,3 +64,12 @@ class Task:
     steps: tuple[Step, ...] = ()  # in order; empty if there is nothing to do
     why: tuple[str, ...] = ()  # reasons for the first step
     hindered: str = ""  # why no step can be done here; empty if it can
+
+
+def ros_images(image_set: ImageSet, image: Image) -> list[Image]:
+    """The ROS images that an image stands on, lowest first, and the image itself if it is a ROS image."""
+    chain = [] if image.stack else [image]
+    while below := image_set.by_target.get(image.parent):
+        chain.append(below)
+        image = below
+    return chain[::-1]

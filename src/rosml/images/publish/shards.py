@@ -19,7 +19,7 @@ from rosml.base.shapes import Shape
 from rosml.images.builds import disk
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix.sizes import Size
-from rosml.images.publish.items import Key
+from rosml.images.publish.items import Key, ros_images
 
 Names = Annotated[tuple[str, ...], Field(min_length=1)]
 """Names, at least one: an empty list would mean all."""
@@ -155,16 +155,8 @@ def _unit(image_set: ImageSet, distribution: str, images: list[Image], architect
 
 def _ordered(image_set: ImageSet, images: Iterable[Image]) -> tuple[Image, ...]:
     images = list(images)
-    chains = [link for image in images for link in _chain(image_set, image)]
+    chains = [link for image in images for link in ros_images(image_set, image)]
     return tuple({image.target: image for image in [*chains, *images]}.values())
-
-
-def _chain(image_set: ImageSet, image: Image) -> list[Image]:
-    chain = [] if image.stack else [image]
-    while below := image_set.by_target.get(image.parent):
-        chain.append(below)
-        image = below
-    return chain[::-1]
 
 
 def _size_alone(image_set: ImageSet, image: Image) -> Size:

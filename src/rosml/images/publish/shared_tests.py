@@ -16,7 +16,7 @@ from functools import cached_property
 from rosml.base.problems import some
 from rosml.images.bake.inputs import TARGET, Inputs
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.publish.items import Item, Key
+from rosml.images.publish.items import Item, Key, ros_images
 from rosml.images.records.store import Entry
 
 Names = tuple[str, ...]
@@ -74,16 +74,18 @@ class SharedTests:
     def provers(self, image: Image) -> Names:
         """Images that may have run tests that an image shares: on the same ROS image; or on that or a lower one, with all its parts."""
         if image.target not in self._provers:
-            lower, below = {_ros_of(image)}, self.image_set.by_target.get(_ros_of(image))
-            while below := below and self.image_set.by_target.get(below.parent):
-                lower.add(below.target)
+            lower = {link.target for link in ros_images(self.image_set, image)}
             self._provers[image.target] = tuple(
                 other.target
                 for other in self._by_distribution[image.distribution]
                 if other.target != image.target
                 and (
                     other.parent == image.parent
-                    or (other.stack == image.stack and _ros_of(other) in lower and {*image.parts} <= {*other.parts})
+                    or (
+                        other.stack == image.stack
+                        and (other.parent if other.stack else other.target) in lower
+                        and {*image.parts} <= {*other.parts}
+                    )
                 )
             )
         return self._provers[image.target]
@@ -166,11 +168,6 @@ class SharedTests:
 def _image(item: Item) -> Image:
     assert isinstance(item.thing, Image)
     return item.thing
-
-
-def _ros_of(image: Image) -> str:
-    """The target of the ROS image that an image is or stands on."""
-    return image.parent if image.stack else image.target
 
 
 def _of_ros(image: Image) -> Names:

@@ -17,7 +17,7 @@ from rosml.images.builds import base_images, contents, package_state
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.matrix.sizes import Size
-from rosml.images.publish.items import ABSENT, ELSEWHERE, UNDESCRIBED, WAITING, Item, Key, Step, Task
+from rosml.images.publish.items import ABSENT, ELSEWHERE, UNDESCRIBED, WAITING, Item, Key, Step, Task, ros_images
 from rosml.images.publish.shared_tests import SharedTests
 from rosml.images.records.store import INDEX, Entry, Records
 from rosml.machine.services import Services
@@ -86,14 +86,10 @@ class State:
         parts: dict[Key, Item] = {}
         joined: dict[Key, Item] = {}
         for image in self.images:
-            chain = [image] if image.stack is None else []
-            below = self.image_set.by_target.get(image.parent)
-            while below:
-                chain.append(below)
-                below = self.image_set.by_target.get(below.parent)
+            chain = ros_images(self.image_set, image)
             image_parts = [self.image_set.part_by_name[name] for name in image.parts]
             for architecture in self.image_set.matrix.architectures if self.request.whole else image.architectures:
-                for link in reversed(chain):
+                for link in chain:
                     if architecture in link.architectures:
                         ros.setdefault((link.target, architecture), Item(link, architecture, self._needs(link)))
                 for part in image_parts:
