@@ -488,7 +488,7 @@ class Receiver:
     def __init__(self) -> None:
         self.outcomes = list[Any]()
         self.records = store.Records(Place(MemoryRegistry(), PREFIX))
-        self.state = SimpleNamespace(known={("alpha-base", "amd64"): store.parse(ENTRY)}, date="2026-11-22T03:00:00Z")
+        self.state = SimpleNamespace(entries={("alpha-base", "amd64"): store.parse(ENTRY)}, date="2026-11-22T03:00:00Z")
 
 
 def results_of(file: Path) -> object:

@@ -82,7 +82,7 @@ class Shelf:
         content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": platforms, "annotations": {DATE: date}}
         digest = self.registry.put_manifest(repository, "", content, INDEX)
         tags = [main] if isinstance(thing, Part) else [tag.split(":")[1] for tag in thing.tags]
-        old = self.registry.head(repository, main)
+        previous = self.registry.head(repository, main)
         for tag in (*tags, names.dated(main, date)):
             self.registry.names.setdefault(repository, {})[tag] = digest
         for architecture, member in members.items():
@@ -91,7 +91,7 @@ class Shelf:
             book.attach(entry, {})
         facts = Entry(thing.target, INDEX_ENTRY, repository=repository_of(thing), digest=digest, parts=members)
         book.write(facts, {})
-        return [tag_moves.Move(repository_of(thing), tag, old, digest) for tag in tags]
+        return [tag_moves.Move(repository_of(thing), tag, previous, digest) for tag in tags]
 
     def _sboms(self, thing: Thing, architecture: str) -> dict[str, str]:
         """The annotations of an index that name the SBOMs of an image: those of its ROS image and parts."""
@@ -115,7 +115,7 @@ class Shelf:
                 f"ros-{thing.component}": f"1.{self.ros}",
                 **({"tzdata": "1"} if self.ros == "1" else {}),
             }
-        found = packages.Packages(
+        content = packages.Packages(
             system=system,
             apt=[
                 packages.Apt(name=name, version=version, architecture=architecture, source=name, source_version=version)
@@ -124,13 +124,13 @@ class Shelf:
             python=[packages.Python(name=name, version=version) for name, version in wheels.items()],
             ros=[],
         )
-        document = packages.cyclonedx(found, f"{self.registry.host}/{repository}@{digest}")
+        document = packages.cyclonedx(content, f"{self.registry.host}/{repository}@{digest}")
         manifest = self.registry.manifest(repository, digest)
         assert manifest
-        made = self.registry.attach(
+        artifact = self.registry.attach(
             repository, manifest.descriptor, sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
         )
-        return f"{repository_of(thing)}@{made}"
+        return f"{repository_of(thing)}@{artifact}"
 
     def _layers(self, thing: Thing, architecture: str) -> list[tuple[str, int]]:
         """Digests and sizes, lowest first; sizes are the matrix's forecast."""
@@ -184,7 +184,7 @@ class Shelf:
         )
         if isinstance(thing, Part):
             return facts
-        found = {
+        versions = {
             "image-os": thing.os,
             "image-python": f"{thing.python}.9",
             "ros-distro": thing.ros_distro,
@@ -197,29 +197,31 @@ class Shelf:
         ) + self._ros_unpacked(thing)
         findings = {"high": 2, "medium": 27} if thing.stack else {"medium": 3}
         scan = {"updated": "2026-11-22T00:10:00Z", "packages": 525, "findings": findings, "failing": []}
-        scan["named"] = self._named(thing, findings)
+        scan["named"] = self._vulnerabilities(thing, findings)
         return Entry(
             **{
                 **vars(facts),
                 "unpacked": unpacked * 1_000_000,
                 "tested": "t",
                 "passed": 20 + len(thing.tests),
-                "versions": found,
+                "versions": versions,
                 "scanned": "clean",
                 "scan": scan,
             }
         )
 
-    def _named(self, image: sets.Image, findings: Mapping[str, int]) -> list[dict[str, Any]]:
+    def _vulnerabilities(self, image: sets.Image, findings: Mapping[str, int]) -> list[dict[str, Any]]:
         """What the records name of findings: the first one is accepted, a newer package mends the second."""
         severities = [severity for severity, number in findings.items() for _ in range(number)]
-        found = [
+        vulnerabilities = [
             Finding(f"CVE-2026-{1000 + number}", severity, "libexample1", "1:1.0-1+deb12u1", "", image.parent or "")
             for number, severity in enumerate(severities)
         ]
-        found[0] = replace(found[0], fixed="1:1.0-1+deb12u2", ignored="it is compiled out", until="2027-03-31")
-        found[1] = replace(found[1], fixed="1:1.1~rc1")
-        return Scanned(image.target, "amd64", Outcome.CLEAN, "", tuple(found)).named
+        vulnerabilities[0] = replace(
+            vulnerabilities[0], fixed="1:1.0-1+deb12u2", ignored="it is compiled out", until="2027-03-31"
+        )
+        vulnerabilities[1] = replace(vulnerabilities[1], fixed="1:1.1~rc1")
+        return Scanned(image.target, "amd64", Outcome.CLEAN, "", tuple(vulnerabilities)).named
 
     def _ros_unpacked(self, image: sets.Image) -> int:
         ros = self.image_set.by_target[image.parent] if image.stack else image

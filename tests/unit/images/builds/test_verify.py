@@ -33,8 +33,8 @@ def test_labels(small: ImageSet) -> None:
     assert (environment["TORCH_VERSION"], environment["TENSORFLOW_VERSION"]) == ("2.10.0", "2.20.0")
     bare = structure_tests.expected_environment(small.image("alpha-core"))
     assert not {"TORCH_VERSION", "CUDA_VERSION"} & bare.keys()
-    own = parse(changed("  alpha:\n", "  alpha:\n    ros_distro: of-its-own\n")).image("alpha-core")
-    assert structure_tests.expected_environment(own)["ROS_DISTRO"] == "of-its-own"
+    renamed = parse(changed("  alpha:\n", "  alpha:\n    ros_distro: of-its-own\n")).image("alpha-core")
+    assert structure_tests.expected_environment(renamed)["ROS_DISTRO"] == "of-its-own"
 
 
 def test_flat_configs_have_one_order_and_no_gaps() -> None:

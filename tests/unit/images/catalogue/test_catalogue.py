@@ -72,16 +72,16 @@ def test_what_a_run_published(published: tuple[Publisher, ImageSet]) -> None:
     item = image(gather(where.registry, image_set), "alpha-base-torch-cu1")
     assert (item.status, item.reason) == ("built", "")
     tags = {tag.name: (tag.kind, tag.digest) for tag in item.tags}
-    there = where.tagged("ros-torch")
+    published_tags = where.tagged("ros-torch")
     assert tags == {
-        "alpha-base-cu1": ("main", there["alpha-base-cu1"]),
-        "alpha-base-cu1-torch2.10.0": ("versions", there["alpha-base-cu1"]),
-        "alpha": ("floating", there["alpha"]),
-        "latest": ("floating", there["latest"]),
-        "alpha-base-cu1-20261122": ("dated", there["alpha-base-cu1"]),
+        "alpha-base-cu1": ("main", published_tags["alpha-base-cu1"]),
+        "alpha-base-cu1-torch2.10.0": ("versions", published_tags["alpha-base-cu1"]),
+        "alpha": ("floating", published_tags["alpha"]),
+        "latest": ("floating", published_tags["latest"]),
+        "alpha-base-cu1-20261122": ("dated", published_tags["alpha-base-cu1"]),
     }
     (build,) = item.builds
-    assert (build.digest, build.created) == (there["alpha-base-cu1"], DAY)
+    assert (build.digest, build.created) == (published_tags["alpha-base-cu1"], DAY)
     entries = {a: store.Records(where.place).read(item.target, a) for a in ("amd64", "arm64")}
     for platform in build.platforms:
         entry = entries[platform.platform.removeprefix("linux/")]
@@ -170,8 +170,8 @@ def test_layers_are_those_of_the_part_that_brought_them(catalogue: Published) ->
     below = ["ros1-bookworm-core", "ros1-bookworm-base"]
     assert list(dict.fromkeys(parts)) == [*below, "cuda-cu128", "common-cu128-py311", "torch-cu128-py311"]
     assert list(platform.parts) == list(dict.fromkeys(parts))
-    old = item.builds[2].platforms[0]
-    assert [catalogue.layers[position].part for position in old.layers] == parts, "of builds before as well"
+    first = item.builds[2].platforms[0]
+    assert [catalogue.layers[position].part for position in first.layers] == parts, "of builds before as well"
 
 
 def test_unpacked_sizes_are_measured_or_not_told(catalogue: Published, real: ImageSet) -> None:
@@ -184,12 +184,12 @@ def test_unpacked_sizes_are_measured_or_not_told(catalogue: Published, real: Ima
 
 def test_packages_are_read_from_the_sboms_that_an_index_names(shelf: Shelf, catalogue: Published) -> None:
     (platform,) = image(catalogue, TORCH).builds[0].platforms
-    named = [catalogue.sboms[position] for position in platform.sboms]
+    sboms = [catalogue.sboms[position] for position in platform.sboms]
     parts = ["part-common-cu128-py311", "part-cuda-cu128", "part-torch-cu128-py311", "ros1-bookworm-base"]
-    assert [item.part for item in named] == parts
-    assert [item.repository for item in named] == ["part", "part", "part", "ros"]
+    assert [item.part for item in sboms] == parts
+    assert [item.repository for item in sboms] == ["part", "part", "part", "ros"]
     read, unread = packages.read(Place(shelf.registry, PREFIX), catalogue)
-    assert (unread, read[named[2].digest]) == ([], [("pillow", "11.0", "pypi"), ("torch", "2.2", "pypi")])
+    assert (unread, read[sboms[2].digest]) == ([], [("pillow", "11.0", "pypi"), ("torch", "2.2", "pypi")])
     alone = gather(shelf.registry, shelf.image_set, TORCH)
     bases = [alone.sboms[build.platforms[0].sboms[3]].digest for build in alone.images[0].builds]
     assert bases[0] == bases[1] != bases[2]
@@ -216,8 +216,8 @@ def test_vulnerabilities_have_names_and_what_is_none_is_left_out(real: ImageSet)
         {},
         "CVE-2026-1",
     ]
-    for named, expected in (([*bad, good], 1), ([good] * 30, 20), (bad, 0)):
-        records.write(dataclasses.replace(entry, scan={**entry.scan, "named": named}))
+    for entries, expected in (([*bad, good], 1), ([good] * 30, 20), (bad, 0)):
+        records.write(dataclasses.replace(entry, scan={**entry.scan, "named": entries}))
         item = image(gather(shelf.registry, real, "ros1-bookworm-core"), "ros1-bookworm-core")
         scan = next(p.scan for p in item.builds[0].platforms if p.platform == "linux/amd64")
         assert scan and scan.findings == {"medium": 3}

@@ -327,9 +327,9 @@ def test_a_run_says_what_it_uploaded(
     report.show(run, as_json=True)
     printed = json.loads(capsys.readouterr().out)
     built = {item["target"]: item["uploaded"] for item in printed["outcomes"] if item["step"] == "build"}
-    own = len("alpha-base 1 amd64")
-    assert run.pushed == own + len("alpha-core 1 amd64"), "a layer of the image below was counted twice"
-    assert built["alpha-base"] > own and sum(built.values()) < printed["uploaded"]
+    layer = len("alpha-base 1 amd64")
+    assert run.pushed == layer + len("alpha-core 1 amd64"), "a layer of the image below was counted twice"
+    assert built["alpha-base"] > layer and sum(built.values()) < printed["uploaded"]
     assert printed["seconds"] >= 0
     report.show(run, as_json=False)
     text = f"{units.size(printed['uploaded'])} uploaded, "

@@ -105,16 +105,23 @@ def test_an_image_is_published(stage: Stage, capsys: pytest.CaptureFixture[str])
     stage.place.check(stage.image_set)
 
 
-def test_a_second_call_does_nothing(stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: Any) -> None:
+def test_a_second_call_does_nothing(
+    stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
     assert stage.image(TARGET) == 0
-    capsys.readouterr()
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[1] == f"{TARGET} is built, tested and published"
+    assert lines[3] == f"FROM             {HOST}/rosml/ros-torch:alpha-base-cu1"
+    assert "structure tests  5 passed, 0 failed" in lines
+    actions = stage.runs[0].actions
+    assert [step for step, _, _ in actions] == ["build"] * 5 + ["join", "test"] and actions[-1][1] == TARGET
+    assert not stage.tags("ros"), "what it stands on gets no tag"
     free(monkeypatch, 1)
-    assert stage.image(TARGET) == 0, "it needs no room"
+    stage.place.services = replace(stage.place.services, bases=tuple(OFFLINE))
+    assert stage.image(TARGET) == 0, "it needs neither room nor the base image"
     assert stage.runs[1].actions == []
-    told = capsys.readouterr().out
-    assert "tags moved       none: all pointed here already\n" in told
-    assert "made now         nothing: all of it was there\n" in told
-    assert "time             nothing to do\n" in told
+    lines = capsys.readouterr().out.splitlines()
+    assert "tags moved       none: all pointed here already" in lines and "time             nothing to do" in lines
 
 
 def test_a_run_waits_for_another_one_of_its_checkout(
