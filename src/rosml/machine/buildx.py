@@ -40,19 +40,17 @@ _NO_BASE = (
 NO_SPACE_REMEDY = (
     "free some disk space (rosml setup down; rosml setup clean removes all that was made), then run it again"
 )
-"""The remedy for a full disk."""
 _NO_SPACE = ("no space left on device", NO_SPACE_REMEDY)
-_NOBODY_THERE = (
+_REFUSED_CONNECTION = (
     "connection refused",
     "check HTTP_PROXY, HTTPS_PROXY and the mirrors; if it was the registry or the builder, run 'rosml setup'",
 )
 
-_NO_MEMORY = (
-    "memory may have run out",
-    "give the builder more memory, or let fewer compilers run at the same time: rosml containerize --parallel-jobs 1",
+_NO_MEMORY_REMEDY = (
+    "give the builder more memory, or let fewer compilers run at the same time: rosml containerize --parallel-jobs 1"
 )
 
-_OF_THE_BUILDER = (
+_BUILDER_REMEDIES = (
     (
         "x509: certificate signed by unknown authority",
         "put the registry's authority into certs.d/<host>/ca.crt beside Docker's config.json, then run 'rosml setup', which tells"
@@ -61,14 +59,14 @@ _OF_THE_BUILDER = (
     ("x509: certificate has expired", "the registry's operator has to renew its certificate"),
     (r"unexpected status\b.*: 40[13]\b|insufficient_scope|no basic auth credentials", _LOGIN),
     ("failed to calculate checksum of ref", "a file of the build is missing; if it is a lock: run 'rosml locks'"),
-    (r"successfully: (exit code: 137\b|cannot allocate memory)", _NO_MEMORY[1]),
+    (r"successfully: (exit code: 137\b|cannot allocate memory)", _NO_MEMORY_REMEDY),
     _NO_SPACE,
     (
         r"429 Too Many Requests|\btoomanyrequests\b",
         "the registry limits how often you may ask: wait, or log in, since accounts may ask more often (docker login)",
     ),
     (r"registry-1\.docker\.io", _NO_BASE),
-    _NOBODY_THERE,
+    _REFUSED_CONNECTION,
     ("network.host is not allowed", "run 'rosml setup', which tells the builder of a mirror on this machine"),
     ("failed to dial", "run 'rosml setup', which starts what is down, then run it again"),
     (
@@ -76,42 +74,40 @@ _OF_THE_BUILDER = (
         "the local registry's storage is damaged: rosml setup down; rm -r .state/registry; run it again",
     ),
 )
-"""Patterns of BuildKit's messages about problems outside of the build, and remedies. A registry refuses in BuildKit's words:
-"unexpected status from POST request to …: 403 Forbidden"."""
+"""Patterns of BuildKit's messages about problems outside of the build, and remedies."""
 
-_OF_OUR_STEPS = (
+_STEP_REMEDIES = (
     (r"(client error \(|returned error: |failed to fetch .* )40[13]\b", _REFUSED),
     ("Hash mismatch", "a download is not what the lock says: run 'rosml locks' if that is intended"),
     ("all requirements must have their versions pinned", "a lock is damaged: run 'rosml locks'"),
     _NO_SPACE,
-    _NO_MEMORY,
+    ("memory may have run out", _NO_MEMORY_REMEDY),
     ("Could not resolve", "check that this machine reaches the package indexes (proxy? CA bundle?), then run it again"),
     ("Temporary failure resolving", "check that this machine reaches Debian's mirrors, then run it again"),
     ("Failed to fetch|error sending request", _AGAIN),
-    _NOBODY_THERE,
+    _REFUSED_CONNECTION,
 )
 """The same for the output of uv, curl and apt in rosml's own steps."""
 
-_OWN_WORDS = re.compile(r"error: .+; .+")
-"""The last line of a script of rosml that knows the reason: the reason and its remedy."""
+_SCRIPT_ERROR = re.compile(r"error: .+; .+")
+"""The last line of a script of rosml that has the reason and its remedy."""
 
 _MIRRORS = ("OS_APT_MIRROR", "ROS_APT_MIRROR")
 
 CANCEL_SECONDS = 15.0
-"""How long a builder may take to stop before we end it."""
 
 _PUSH = re.compile(r"failed to push (\S+): (.*)", re.DOTALL)
 _STATUS = re.compile(r"unexpected status(?: code)?(?: from \w+ request to)?(?: \S+)?: (\d{3}\b[\w ]*)")
 _CUT_OFF = re.compile(r"\bEOF\b|connection (?:reset|refused)|broken pipe|timeout|timed out|no such host", re.IGNORECASE)
-"""BuildKit's messages about a failed push, a registry's answer, and a registry without one."""
 
 _waits: list[float] = []
-"""Seconds for which each build of this process waited for its turn."""
 
 STEP_NETWORK = "STEP_NETWORK"
-"""The variable of bake files with the network of steps: `host` for this machine's, or the builder's default."""
+"""The variable of bake files with the network of steps: `host` for this machine's; empty for the builder's default."""
 
-_OURS = re.compile(r"STEP_NETWORK|PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*")
+_BAKE_VARIABLES = re.compile(
+    r"STEP_NETWORK|PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*"
+)
 """Variables of the bake file that a shell may have for other reasons, and that would change the build."""
 
 
@@ -119,22 +115,18 @@ class Unanswered(RosmlError):
     """A build that failed because a registry answered with an error, or not at all.
 
     Attributes:
-        said: the answer, such as `403 Forbidden`.
-        pushing: the place to which the finished result was pushed; empty if something was pulled.
+        answer: such as `403 Forbidden`.
+        push_target: where the finished result was pushed to; empty if something was pulled.
     """
 
-    def __init__(self, message: str, remedy: str, said: str, pushing: str) -> None:
+    def __init__(self, message: str, remedy: str, answer: str, push_target: str) -> None:
         super().__init__(message, remedy)
-        self.said = said
-        self.pushing = pushing
+        self.answer = answer
+        self.push_target = push_target
 
 
 class StepFailed(RosmlError):
-    """A build that failed in a step.
-
-    Attributes:
-        stage: the stage of the Dockerfile.
-    """
+    """A build that failed in a step of the Dockerfile's `stage`."""
 
     def __init__(self, message: str, remedy: str, stage: str) -> None:
         super().__init__(message, remedy)
@@ -146,16 +138,12 @@ class Bake:
     """One call of `buildx bake`.
 
     Attributes:
-        target: the bake target.
-        beside: targets that the call builds as well.
-        sets: overrides of targets, `target.key=value` each.
-        variables: values of the bake file's variables.
         name: the log's name, without its ending.
-        file: the bake file.
+        sets: overrides of targets, `target.key=value` each.
         foreign: scripts that run other people's code. Its output gets no remedy from rosml.
         glance: what the call does, for people, if it only copies files out of an image; its steps are not shown.
-        shares: what it has of the steps that calls beside it may have as well, such as those of parts and ROS images. Calls that name
-            the same take turns; one that names nothing waits for none.
+        shares: the name of the steps that other calls may have as well. Calls with the same name take turns.
+        beside: targets that the call builds as well.
     """
 
     target: str
@@ -170,19 +158,17 @@ class Bake:
 
 
 IMAGES = "images"
-"""What the builds of parts and ROS images share: their base images, the program that assembles parts, and these themselves."""
+"""The name of the steps that the builds of parts and ROS images share."""
 
 
 def local_servers(services: Services) -> list[str]:
-    """The variables that name a mirror or a proxy on this machine. If there are any, steps get this machine's network: from their
-    own network, which setup gives them, they cannot reach it."""
+    """The variables that name a mirror or a proxy on this machine, which only steps with the machine's network can reach."""
     if services.builder_kind == "user":
         return []
     return [name for name in (*_MIRRORS, *web.PROXIES) if web.is_here(os.environ.get(name, ""))]
 
 
 def command(services: Services, bake: Bake, metadata: Path) -> list[str]:
-    """The command line of a call."""
     arguments = [*services.buildx, "bake", "--file", str(bake.file), "--progress", "rawjson"]
     arguments += ["--metadata-file", str(metadata)]
     if services.ca_bundle:
@@ -195,12 +181,11 @@ def command(services: Services, bake: Bake, metadata: Path) -> list[str]:
 
 
 def environment(services: Services, bake: Bake) -> dict[str, str]:
-    """The environment of a call: the bake file's variables, and the proxies of the user's shell."""
     env = trust.trusting(services)
     # With attestations, the pushed digest would be that of an index that changes with every build. We keep them apart.
     env["BUILDX_NO_DEFAULT_ATTESTATIONS"] = "1"
     env["CA_BUNDLE"] = services.ca_bundle
-    for name in [name for name in env if _OURS.fullmatch(name)]:
+    for name in [name for name in env if _BAKE_VARIABLES.fullmatch(name)]:
         del env[name]
     for name in ("HTTP_PROXY", "HTTPS_PROXY"):
         env.setdefault(name, os.environ.get(name.lower(), ""))
@@ -210,10 +195,9 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
 
 
 def command_on_it(services: Services) -> str:
-    """The command by which users build their own Dockerfile with this builder, into its registry, as a line for a shell.
+    """The shell line by which users build their own Dockerfile with this builder, into its registry.
 
-    It has the registry's password from the file of setup. It writes OCI media types: Docker has none for a base image's zstd layers that
-    podman 4 would take.
+    It writes OCI media types: Docker has none for a base image's zstd layers that podman 4 would take.
     """
     config = f"BUILDX_CONFIG={shlex.quote(str(services.buildx_config))} " if services.buildx_config else ""
     password = f'{credentials.VARIABLE}="$(cat {shlex.quote(str(services.state / credentials.OWN))})" '
@@ -221,13 +205,8 @@ def command_on_it(services: Services) -> str:
     return f"{password}{config}{shlex.join(services.buildx)} build --builder {services.builder} --output {output} ."
 
 
-def turn_file(services: Services, shares: str) -> Path:
-    """The lock for which builds in one builder wait that share something."""
-    return (services.buildx_config or services.state) / "turns" / f"{services.builder}-{shares}"
-
-
 def waited() -> float:
-    """Seconds for which the builds of this process have waited for other processes' builds until now."""
+    """Seconds for which the builds of this process have waited for their turns until now."""
     return sum(_waits)
 
 
@@ -237,8 +216,8 @@ def _turn(services: Services, shares: str) -> Iterator[None]:
     if not shares:
         yield
         return
-    file = turn_file(services, shares)
-    progress, asked, others = BuildProgress(sys.stderr), time.monotonic(), False
+    file = (services.buildx_config or services.state) / "turns" / f"{services.builder}-{shares}"
+    progress, started, others = BuildProgress(sys.stderr), time.monotonic(), False
 
     def say() -> None:
         nonlocal others
@@ -247,34 +226,27 @@ def _turn(services: Services, shares: str) -> Iterator[None]:
 
     with turn(file, say):
         if others:
-            _waits.append(time.monotonic() - asked)
+            _waits.append(time.monotonic() - started)
             progress.say("the other build has ended: this one begins, and counts from 0:00")
         yield
 
 
 def run(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, str]]:
-    """Builds a target, as `run_all`. Returns the progress with all steps, and buildx's facts about the target."""
+    """Builds a target, as `run_all`; the facts are those about the target."""
     progress, facts = run_all(services, bake)
     return progress, facts.get(bake.target, {})
 
 
 def run_all(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, dict[str, str]]]:
-    """Builds targets. Lines for people go to standard error, everything goes to `.state/log/<name>.log`.
+    """Builds targets. Returns the progress, and buildx's facts by target, e.g. `containerimage.digest`.
+
+    Lines for people go to standard error, everything goes to `.state/log/<name>.log`.
 
     Builds in one builder that share steps take turns. BuildKit solves concurrent builds in one graph. If a build begins while another
-    one holds their common steps, it runs steps again whose results are in the cache (https://github.com/moby/buildkit/issues/4674):
-    gigabytes of parts were built three times.
+    one holds their common steps, it runs steps again whose results are in the cache (https://github.com/moby/buildkit/issues/4674).
 
-    BuildKit sends a request once, or four times within seconds if the registry is broken. A registry needs longer if it is busy, or
-    if it is making the repository. So we repeat such a build, which keeps its finished steps, as often as our own client repeats a
-    request (`registry/failures.py`).
-
-    Returns:
-        The progress with all steps, and buildx's facts by target, e.g. `containerimage.digest`.
-
-    Raises:
-        RosmlError: the build failed; the message has the failed step's last lines.
-        KeyboardInterrupt: the user stopped it, and the builder has stopped.
+    BuildKit sends a request once, or four times within seconds if the registry is broken. A busy registry needs longer. So we repeat
+    such a build, which keeps its finished steps, as often as our own client repeats a request (`registry/failures.py`).
     """
     attempt = 0
     while True:
@@ -286,30 +258,29 @@ def run_all(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, di
             seconds = _pause(services, error, attempt)
             if seconds is None:
                 raise
-            what = f"the push to {error.pushing}" if error.pushing else "a download of the build"
-            BuildProgress(sys.stderr).say(f"{what} failed: {error.said}; attempt {attempt + 1} in {seconds:.0f} s")
+            work = f"the push to {error.push_target}" if error.push_target else "a download of the build"
+            BuildProgress(sys.stderr).say(f"{work} failed: {error.answer}; attempt {attempt + 1} in {seconds:.0f} s")
             time.sleep(seconds)
-            if error.pushing:  # the result is in the builder's cache, so its steps need not run again
+            if error.push_target:  # the result is in the builder's cache, so its steps need not run again
                 bake = replace(bake, sets=[item for item in bake.sets if not item.endswith(".no-cache=true")])
 
 
 def _pause(services: Services, error: Unanswered, attempt: int) -> float | None:
     """Seconds to wait before the build is repeated; None if that does not help.
 
-    If a push is denied, but our own client may push, the registry was making the repository, so we repeat it. If the registry denies
-    it to the client for some seconds, too, it means it.
+    If a push is denied, but our own client may push, the registry was making the repository.
     """
-    status = int(error.said[:3]) if error.said[:3].isdecimal() else 0
-    transient = failures.Transient(error.said)
+    status = int(error.answer[:3]) if error.answer[:3].isdecimal() else 0
+    transient = failures.Transient(error.answer)
     if status in web.BUSY:
         return failures.pause(transient, attempt)
-    if not error.pushing or status not in (0, 403, 404, 409):
+    if not error.push_target or status not in (0, 403, 404, 409):
         return None
     if status in (404, 409):
         return failures.pause(failures.Refused(error), attempt)
     if status == 403:
         try:
-            place = references.parse(error.pushing)
+            place = references.parse(error.push_target)
             with Registry(place.host, ca_bundle=services.ca_bundle) as client:
                 client.may_push(place.repository)
         except RosmlError:
@@ -356,7 +327,7 @@ def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[Build
 
 
 def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlError:
-    """The error for a failed build: the step, its last lines, the log, and a remedy if the reason is known."""
+    """The error for a failed build: its step, last lines and log, and a remedy for a common reason."""
     step = progress.failed()
     lines = list(step.tail)[-TAIL_LINES:] if step else []
     remedy = _remedy(bake, progress, step)
@@ -376,18 +347,18 @@ def failure(bake: Bake, progress: BuildProgress, log: Path, code: int) -> RosmlE
 
 
 def _remedy(bake: Bake, progress: BuildProgress, step: Step | None) -> str:
-    """The remedy for the last line with a known reason; empty if there is none. Earlier errors do not count: a build may go on
-    after them, for example by repeating a download."""
+    """The remedy for the last line that matches a pattern: after earlier errors, the build went on."""
     if step and "] ONBUILD " in step.name:
         return "every build on the base image runs this, and the files it is for are not here: name one without ONBUILD"
-    said = [(line, _OF_THE_BUILDER) for line in (*progress.other, step.error if step else "")]
+    messages = [(line, _BUILDER_REMEDIES) for line in (*progress.other, step.error if step else "")]
     printed = list(step.tail) if step else []
-    if printed and _OWN_WORDS.match(printed[-1]):
+    if printed and _SCRIPT_ERROR.match(printed[-1]):
         printed = printed[-1:]
     elif step and any(script in step.name for script in bake.foreign):
         printed = []
-    for line, known in reversed([*said, *((line, _OF_OUR_STEPS) for line in printed)]):
-        for pattern, remedy in known:
+    messages += [(line, _STEP_REMEDIES) for line in printed]
+    for line, remedies in reversed(messages):
+        for pattern, remedy in remedies:
             if re.search(pattern, line, re.IGNORECASE):
                 return remedy
     return ""
@@ -405,7 +376,6 @@ def _stop(process: subprocess.Popen[str]) -> None:
 
 
 def _metadata(path: Path) -> dict[str, dict[str, str]]:
-    """buildx's facts by target; empty if it wrote none."""
     try:
         content = untrusted.json_value(path.read_bytes()).items()
     except (OSError, ValueError, AttributeError):

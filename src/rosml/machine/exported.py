@@ -18,20 +18,13 @@ from rosml.base import archives
 from rosml.base.errors import RosmlError
 
 MEGABYTE = 1 << 20
-
 DEPTH = 100
-"""The most parts of a path. Python's mkdir calls itself for each folder above."""
+"""Parts of a path. Python's mkdir calls itself for each folder above."""
 
 
 @dataclass(frozen=True)
 class Limits:
-    """The limits of a build's output.
-
-    Attributes:
-        entries: the most entries: files, folders and others.
-        each: the most bytes of a file.
-        total: the most bytes of all written files.
-    """
+    """The limits of a build's output: the number of entries of any kind, the bytes of a file, the bytes of all files."""
 
     entries: int = 20_000
     each: int = 16 * MEGABYTE
@@ -39,8 +32,6 @@ class Limits:
 
 
 TESTS = Limits()
-"""The limits for test reports."""
-
 OURS = Limits(entries=1000, each=64 * MEGABYTE, total=512 * MEGABYTE)
 """The limits for rosml's own steps, whose largest output is the lists of images' files."""
 
@@ -61,22 +52,13 @@ def output(archive: Path) -> str:
 def unpack(
     archive: Path,
     folder: Path,
-    wanted: Callable[[PurePosixPath], bool] = lambda path: True,
+    select: Callable[[PurePosixPath], bool] = lambda path: True,
     limits: Limits = TESTS,
 ) -> dict[str, str]:
-    """Writes the files of an archive into a new folder.
-
-    Args:
-        archive: the builder's archive.
-        folder: the folder; its former content is removed.
-        wanted: whether to write a file, by its path; others are skipped.
-        limits: the limits of the archive and of the written files.
+    """Writes the files of an archive for which `select` holds into a folder, whose former content it removes.
 
     Returns:
-        Entries that were not written, with the reason, by path: no regular file, too large, or a name that cannot be shown.
-
-    Raises:
-        RosmlError: there is no archive, it is damaged, or it has more than the limits.
+        By path, why an entry was not written: no regular file, too large, or a name that cannot be shown.
     """
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -94,7 +76,7 @@ def unpack(
                 if reason := _refusal(entry, path, limits):
                     refused[_shown(path)] = reason
                     continue
-                if not wanted(path):
+                if not select(path):
                     continue
                 total += entry.size
                 if total > limits.total:
@@ -103,7 +85,8 @@ def unpack(
                 stream = entries.extractfile(entry)
                 assert stream is not None, "it is a regular file"
                 try:
-                    _put(folder / path, stream.read(entry.size))
+                    (folder / path).parent.mkdir(parents=True, exist_ok=True)
+                    (folder / path).write_bytes(stream.read(entry.size))
                 except OSError as error:
                     if error.errno not in _NAMES:
                         raise
@@ -116,12 +99,6 @@ def unpack(
 
 
 _NAMES = (errno.EEXIST, errno.EISDIR, errno.ELOOP, errno.ENAMETOOLONG, errno.ENOTDIR)
-"""Errors about impossible names, as opposed to errors of the disk."""
-
-
-def _put(place: Path, content: bytes) -> None:
-    place.parent.mkdir(parents=True, exist_ok=True)
-    place.write_bytes(content)
 
 
 def _refusal(entry: tarfile.TarInfo, path: PurePosixPath, limits: Limits) -> str:
@@ -145,11 +122,7 @@ def _shown(path: PurePosixPath) -> str:
 
 
 def read(folder: Path, name: str) -> bytes:
-    """A file that `unpack` wrote.
-
-    Raises:
-        RosmlError: the build left no such file.
-    """
+    """A file that `unpack` wrote."""
     try:
         return (folder / name).read_bytes()
     except OSError as error:

@@ -1,11 +1,10 @@
 """Asks git about a folder. The folder may be a stranger's: nothing in it may start a program.
 
 - We look for `.git` ourselves, and start git in the folder that has it. So no version of git takes a folder for a bare repository
-  that only looks like one, which any clone can bring along; `safe.bareRepository` does the same only from git 2.38 on. git still
-  finds `.git` by itself. We do not pass `--git-dir`, because git would then not check who owns the repository.
-- git reads the settings of a repository, and a folder from an archive has its own. `commit` asks `rev-list`, which checks no
-  signature, has no pager, and reads neither files nor hooks. It could still fetch a missing object, so we allow no protocol. We say
-  so in the environment, because `protocol.ext.allow` of a repository beats `protocol.allow`.
+  that only looks like one; `safe.bareRepository` does the same only from git 2.38 on. We do not pass `--git-dir`, because git would
+  then not check who owns the repository.
+- `commit` asks `rev-list`, which checks no signature, has no pager, and reads neither files nor hooks. It could still fetch a missing
+  object, so we allow no protocol: in the environment, because `protocol.ext.allow` of a repository beats `protocol.allow`.
 - git gets only those of the caller's variables that it needs to find itself and its user: no secret, and no other repository.
 """
 
@@ -41,36 +40,28 @@ QUIET = {
 """Settings that keep git from starting other programs. They count before those of repository and user."""
 
 FETCHING = {"core.askPass": os.devnull, "core.sshCommand": os.devnull, "credential.helper": ""}
-"""Settings that leave git without programs to fetch with."""
 
 CLEAN = {"GIT_NO_LAZY_FETCH": "1", "GIT_TERMINAL_PROMPT": "0", "GIT_ATTR_NOSYSTEM": "1", "LC_ALL": "C", "LANGUAGE": ""}
 """Variables that git gets for questions, and also for fetching."""
 
 PASSED = ("HOME", "PATH", "SUDO_UID", "USER", "XDG_CONFIG_HOME")
-"""The caller's variables that git gets for questions: they tell where git is, and whose `safe.directory` counts."""
+"""The caller's variables that say where git is, and whose `safe.directory` counts."""
 
 SECONDS = 60.0
-"""How long an answer of git may take."""
-
 LATEST = 253402300799
 """The last second of the year 9999; a commit may claim any time."""
 
 
 @dataclass(frozen=True)
 class Commit:
-    """A commit.
-
-    Attributes:
-        hash: the whole hash.
-        time: the time of the commit, in seconds since 1970, at most LATEST.
-    """
+    """A commit's whole hash, and its time in seconds since 1970, at most LATEST."""
 
     hash: str
     time: int
 
 
 def top(folder: Path) -> Path | None:
-    """The nearest folder with `.git`: the folder itself or one above it; None if there is none."""
+    """The nearest folder with `.git`: the folder itself or one above it."""
     folder = folder.resolve()
     return next((place for place in (folder, *folder.parents) if _has_git(place / ".git")), None)
 
@@ -93,31 +84,23 @@ class Distrusted(RosmlError):
 
 
 def commit(folder: Path, say: Callable[[str], object] = lambda text: None) -> Commit | None:
-    """The checked-out commit of a folder, which may be a stranger's; None if git does not tell.
-
-    Args:
-        say: gets a sentence for people if git refuses to tell although there is a commit.
-    """
+    """The checked-out commit of a folder, which may be a stranger's. `say` gets a sentence if git refuses to read an existing one."""
     try:
-        said = ask(folder, "rev-list", "--no-walk", "--format=%ct", "HEAD", "--")
+        output = ask(folder, "rev-list", "--no-walk", "--format=%ct", "HEAD", "--")
     except Distrusted as error:
         say(f"{error.message}: its commit is not known; {error.remedy}")
         return None
     except RosmlError:
         return None
-    found = re.fullmatch(rb"commit ([0-9a-f]{40,64})\n(\d+)\n", said)
-    return Commit(found[1].decode(), min(int(found[2][:15]), LATEST)) if found else None
+    match = re.fullmatch(rb"commit ([0-9a-f]{40,64})\n(\d+)\n", output)
+    return Commit(match[1].decode(), min(int(match[2][:15]), LATEST)) if match else None
 
 
 def ask(folder: Path, *arguments: str) -> bytes:
-    """Returns git's output; nothing if git fails without a message. In a stranger's folder, call only `commit`: other commands may
-    start filters from the repository's settings.
+    """Returns git's output; nothing if git fails without a message.
 
-    Args:
-        folder: a folder in a repository. Paths among the arguments are relative to the repository's top.
-
-    Raises:
-        RosmlError: git fails, is not installed or does not end; the folder is in no repository.
+    In a stranger's folder, call only `commit`: other commands may start filters from the repository's settings. Paths among the arguments
+    are relative to the repository's top.
     """
     place = top(folder)
     if place is None:
@@ -137,15 +120,14 @@ def ask(folder: Path, *arguments: str) -> bytes:
         )
     except subprocess.TimeoutExpired:
         raise RosmlError(f"git does not answer about {folder} in {SECONDS:.0f} s", "run it again") from None
-    except OSError as error:
-        if not isinstance(error, FileNotFoundError):
-            raise RosmlError(
-                f"git cannot be called in {folder}: {error.strerror}", "check the folder's permissions"
-            ) from None
+    except FileNotFoundError:
         raise RosmlError("git is not installed", "install it: apt-get install git") from None
+    except OSError as error:
+        text = f"git cannot be called in {folder}: {error.strerror}"
+        raise RosmlError(text, "check the folder's permissions") from None
     if done.returncode and done.stderr:
-        said = done.stderr.decode(errors="replace").strip()
-        if "detected dubious ownership" in said or "unsafe repository" in said:
+        message = done.stderr.decode(errors="replace").strip()
+        if "detected dubious ownership" in message or "unsafe repository" in message:
             raise Distrusted(f"{place} belongs to another user, and git does not read it", trusting(place))
-        raise RosmlError(f"git cannot read {folder}: {said}", "call it in a git checkout")
+        raise RosmlError(f"git cannot read {folder}: {message}", "call it in a git checkout")
     return done.stdout

@@ -31,32 +31,24 @@ _JSON = frozenset('{["-0123456789ntf')
 _START = re.compile(r"^\S+/step\.sh ")
 
 HEARTBEAT_SECONDS = 20.0
-"""If a step is silent for so long, its name is printed again as a sign of life."""
+"""If a step is silent for so long, its name is printed again."""
 
 WIDEST = 150
-"""The most characters of a line that is shown; fewer on a terminal that has fewer columns."""
+"""Characters of a line that is shown, unless a terminal has fewer columns."""
 
 TAIL_LINES = 20
 """How many of a step's last lines are shown if it fails."""
 
 LONGEST_LINE = 64 << 10
-"""The most bytes of a line without an end, such as a progress bar. A longer one counts as several lines."""
+"""Bytes of a line without an end, such as a progress bar. A longer one counts as several lines."""
 
 KEPT_LINES = 200
-"""How many lines are kept. uv prints every hash that it would have accepted, so the reason may be far above the last lines."""
+"""uv prints every hash that it would have accepted, so the reason may be far above the last lines."""
 
 
 @dataclass
 class Step:
-    """One step of a build.
-
-    Attributes:
-        name: BuildKit's name, e.g. ``[ros1-bookworm-core ros 1/2] RUN …``.
-        started, completed: seconds since the epoch; 0.0 if not known yet.
-        cached: the result was in the cache.
-        error: the error, or empty.
-        tail: the last lines of its output, without empty ones.
-    """
+    """One step of a build. `name` is BuildKit's, e.g. ``[ros1-bookworm-core ros 1/2] RUN …``; times are seconds since the epoch, 0.0 for none."""
 
     name: str
     started: float = 0.0
@@ -72,7 +64,7 @@ class Step:
 
     @property
     def label(self) -> str:
-        """Short text for people: the step's work, without its mounts and the script that starts it."""
+        """The step for people, without its mounts and the script that starts it."""
         match = _PREFIX.match(self.name)
         if not match:
             return self.name
@@ -92,7 +84,6 @@ class Step:
 
     @property
     def internal(self) -> bool:
-        """Whether it is BuildKit's own bookkeeping, of no interest to people."""
         return "internal]" in self.name or " context " in self.name.split("]")[0] or "LINK COPY" in self.name
 
 
@@ -111,24 +102,21 @@ def _message(line: str) -> dict[str, object] | None:
     if line[:1] not in _JSON:  # most lines that are none end here, without an exception
         return None
     try:
-        found = untrusted.json_value(line)
+        value = untrusted.json_value(line)
     except ValueError:
         return None
-    return found if isinstance(found, dict) else {}
+    return value if isinstance(value, dict) else {}
 
 
-def _objects(found: object) -> list[dict[str, object]]:
-    """The objects of a list; none if it is no list."""
-    return [item for item in found if isinstance(item, dict)] if isinstance(found, list) else []
+def _objects(value: object) -> list[dict[str, object]]:
+    return [item for item in value if isinstance(item, dict)] if isinstance(value, list) else []
 
 
 class BuildProgress:
-    """Follows one build: prints a line when a step of some length ends, and keeps all steps.
+    """Follows one build: prints a line for people when a step of some length ends, and keeps all steps.
 
     Args:
-        out: the stream for people.
-        log: the stream for everything, in plain text.
-        clock: monotonic seconds; replaced in tests.
+        log: gets everything, as plain text.
         summary: what the build does, in place of lines about its steps; empty to show these.
     """
 
@@ -141,17 +129,12 @@ class BuildProgress:
     ) -> None:
         self.steps: dict[str, Step] = {}
         self.other: deque[str] = deque(maxlen=TAIL_LINES)
-        self._out = out
-        self._log = log
-        self._clock = clock
-        self._summary = summary
-        self._begin = clock()
-        self._spoke = clock()
+        self._out, self._log, self._clock, self._summary = out, log, clock, summary
+        self._begin = self._spoke = clock()
         self._lock = threading.Lock()
-        self._begun: dict[tuple[str, str], bytes] = {}
+        self._unfinished: dict[tuple[str, str], bytes] = {}
 
     def follow(self, lines: Iterable[str]) -> None:
-        """Reads lines of rawjson until they end."""
         ended = threading.Event()
 
         def beat() -> None:
@@ -168,7 +151,7 @@ class BuildProgress:
         finally:
             ended.set()
             thread.join()
-            for vertex in {vertex for vertex, _ in self._begun}:
+            for vertex in {vertex for vertex, _ in self._unfinished}:
                 self._end_lines(vertex)
 
     def feed(self, line: str) -> None:
@@ -186,9 +169,9 @@ class BuildProgress:
         self._heartbeat()
 
     def failed(self) -> Step | None:
-        """The failed step, if there is one. Steps that were cancelled because of it do not count."""
-        wrong = [step for step in self.steps.values() if step.error and "context canceled" not in step.error]
-        return wrong[0] if wrong else None
+        """The first failed step, apart from those that were cancelled because of it."""
+        errors = (step for step in self.steps.values() if step.error and "context canceled" not in step.error)
+        return next(errors, None)
 
     def _vertex(self, vertex: dict[str, object]) -> None:
         digest = str(vertex.get("digest", ""))
@@ -208,22 +191,21 @@ class BuildProgress:
 
     def _logs(self, log: dict[str, object]) -> None:
         """Takes the output of a step, in pieces of any size: a program that writes to a pipe may send a line word by word."""
-        of = str(log.get("vertex", "")), str(log.get("stream", ""))
+        source = str(log.get("vertex", "")), str(log.get("stream", ""))
         try:
             data = base64.b64decode(str(log.get("data") or ""), validate=True)
         except (binascii.Error, ValueError):
             return
-        whole, end, rest = (self._begun.pop(of, b"") + data).rpartition(b"\n")
+        whole, end, rest = (self._unfinished.pop(source, b"") + data).rpartition(b"\n")
         if len(rest) > LONGEST_LINE:
             whole, end, rest = whole + end + rest, b"", b""
-        self._print(of[0], whole)
+        self._print(source[0], whole)
         if rest:
-            self._begun[of] = rest
+            self._unfinished[source] = rest
 
     def _end_lines(self, vertex: str) -> None:
-        """Takes the unfinished lines of a step at its end."""
-        for of in [of for of in self._begun if of[0] == vertex]:
-            self._print(vertex, self._begun.pop(of))
+        for source in [source for source in self._unfinished if source[0] == vertex]:
+            self._print(vertex, self._unfinished.pop(source))
 
     def _print(self, vertex: str, data: bytes) -> None:
         step = self.steps.get(vertex)

@@ -17,9 +17,7 @@ from rosml.base.shapes import adapter
 from rosml.registry import credentials
 
 NAMESPACE = "rosml"
-"""Namespace in the local registry; tests use another one, so that they never move a user's tags."""
-
-
+"""Namespace of images in the local registry."""
 REMEDY = "run 'rosml setup'"
 REGISTRY_SECONDS = 5.0
 ANSWER_BYTES = 4 << 20
@@ -31,13 +29,10 @@ class Services:
     """The content of ``.state/services.json``.
 
     Attributes:
-        root: the checkout.
         registry: the address of the local registry, ``127.0.0.1:PORT``, which speaks plain http; empty on a client of another one.
         buildx: the command that calls buildx, e.g. ``("docker", "buildx")``.
-        builder: the builder's name; empty if there is none.
         builder_kind: ``buildkitd`` (our own), ``docker`` (a container of the user's Docker) or ``user`` (theirs).
         buildx_config: buildx' configuration folder; None for the user's own.
-        uv: the path of uv.
         ca_bundle: the user's CA bundle, absolute; empty if the system's certificates count.
         bases: the command that gives base images, as `base_images` says; empty if they are those of matrix.yaml.
     """
@@ -54,19 +49,10 @@ class Services:
 
     @classmethod
     def load(cls, root: Path, required: bool = True) -> Services:
-        """Reads the services of a checkout.
-
-        Args:
-            root: the checkout.
-            required: raise an error if they were never started. Otherwise the result is a machine without services, for
-                commands that only read another registry.
-
-        Raises:
-            RosmlError: they were not started, or the file is damaged.
-        """
+        """Reads the services of a checkout. If they need not exist, the result may be a machine without services."""
         path = root / ".state" / "services.json"
         try:
-            return _WRITTEN.validate_python({**untrusted.json_value(path.read_bytes()), "root": root})
+            return _SERVICES_JSON.validate_python({**untrusted.json_value(path.read_bytes()), "root": root})
         except FileNotFoundError:
             if not required:
                 return cls(root, "", (), "", "", None, "", os.environ.get("SSL_CERT_FILE", ""), bases=())
@@ -78,14 +64,7 @@ class Services:
 
     @classmethod
     def of_docker(cls, folder: Path) -> Services:
-        """The builder of the user's Docker, without a checkout and without a registry.
-
-        Args:
-            folder: the folder for kept files.
-
-        Raises:
-            RosmlError: there is no Docker with buildx.
-        """
+        """The builder of the user's Docker, without a checkout and without a registry. `folder` is for kept files."""
         remedy = "install Docker with buildx, and start it; or call this in a checkout, after 'rosml setup'"
         buildx = ("docker", "buildx")
         try:
@@ -94,68 +73,48 @@ class Services:
             )
         except (OSError, subprocess.TimeoutExpired) as error:
             raise RosmlError(f"docker buildx does not answer: {error}", remedy) from None
-        named = [line.split(":", 1)[1].strip() for line in done.stdout.splitlines() if line.startswith("Name:")]
-        if done.returncode != 0 or not named:
-            said = done.stderr.strip().splitlines()
-            raise RosmlError(f"docker buildx does not answer: {said[-1] if said else 'it names no builder'}", remedy)
+        names = _values(done.stdout, "Name")
+        if done.returncode != 0 or not names:
+            errors = done.stderr.strip().splitlines() or ["it names no builder"]
+            raise RosmlError(f"docker buildx does not answer: {errors[-1]}", remedy)
         bundle = os.environ.get("SSL_CERT_FILE", "")
-        return cls(folder, "", buildx, named[0], "user", None, "", bundle, bases=())
+        return cls(folder, "", buildx, names[0], "user", None, "", bundle, bases=())
 
     def save(self) -> None:
-        """Writes the services for `load`.
-
-        Raises:
-            RosmlError: the file cannot be written.
-        """
-        text = _WRITTEN.dump_json(self, indent=2, exclude={"root"}).decode() + "\n"
+        text = _SERVICES_JSON.dump_json(self, indent=2, exclude={"root"}).decode() + "\n"
         files.write(self.state / "services.json", text)
 
     @property
     def state(self) -> Path:
-        """The checkout's state folder."""
         return self.root / ".state"
 
     def environment(self, base: Mapping[str, str] | None = None) -> dict[str, str]:
-        """Environment for buildx and uv: our builder, our configuration folders, the user's certificates.
-
-        Args:
-            base: what to start from; this process' own environment by default.
-        """
+        """The environment for buildx and uv, from `base` or this process' own: our builder and folders, the user's certificates."""
         env = dict(os.environ if base is None else base)
         env["BUILDX_BUILDER"] = self.builder
         if self.buildx_config is not None:
             env["BUILDX_CONFIG"] = str(self.buildx_config)
         if auths := credentials.local_file(self.state).get("auths"):
-            given = untrusted.json_object(env.get(credentials.VARIABLE, "")) or {}
-            theirs = given.get("auths")
-            env[credentials.VARIABLE] = json.dumps(
-                {**given, "auths": {**(theirs if isinstance(theirs, dict) else {}), **auths}}
-            )
+            config = untrusted.json_object(env.get(credentials.VARIABLE, "")) or {}
+            user_auths = config.get("auths")
+            merged = {**(user_auths if isinstance(user_auths, dict) else {}), **auths}
+            env[credentials.VARIABLE] = json.dumps({**config, "auths": merged})
         if self.ca_bundle:
             env["SSL_CERT_FILE"] = self.ca_bundle
         # The registry is on loopback: a proxy could not reach it. Both spellings have the same value: Go's programs and build
         # steps prefer NO_PROXY, curl prefers the other one.
         spellings = ("no_proxy", "NO_PROXY")
-        known = [entry.strip() for name in spellings for entry in env.get(name, "").split(",") if entry.strip()]
-        return env | dict.fromkeys(spellings, ",".join(dict.fromkeys([*known, "127.0.0.1", "localhost"])))
+        entries = [entry.strip() for name in spellings for entry in env.get(name, "").split(",") if entry.strip()]
+        return env | dict.fromkeys(spellings, ",".join(dict.fromkeys([*entries, "127.0.0.1", "localhost"])))
 
     @property
     def place(self) -> str:
-        """The place of images if no registry is named: the local registry.
-
-        Raises:
-            RosmlError: there is no local registry.
-        """
+        """The place of images in the local registry."""
         if not self.registry:
             raise RosmlError("no registry is named, and the local one is not up", REMEDY)
-        return f"{self.registry}/rosml"
+        return f"{self.registry}/{NAMESPACE}"
 
     def require_registry(self) -> None:
-        """Checks that the registry answers.
-
-        Raises:
-            RosmlError: there is no registry, or it does not answer.
-        """
         if not self.registry:
             raise RosmlError("the local registry is not up", REMEDY)
         try:
@@ -164,11 +123,7 @@ class Services:
             raise RosmlError(f"the local registry at {self.registry} does not answer", REMEDY) from None
 
     def get(self, path: str, accept: str = "*/*", method: str = "GET") -> tuple[Mapping[str, str], bytes]:
-        """Asks the registry. Returns the headers and the body of its answer.
-
-        Raises:
-            RosmlError: the registry does not answer, or not with a success.
-        """
+        """Asks the registry. Returns the headers and the body of its answer."""
         try:
             with web.client(timeout=REGISTRY_SECONDS, trust_env=False, verify=False) as client:
                 url = f"http://{self.registry}{path}"
@@ -177,16 +132,11 @@ class Services:
         except (httpx.HTTPError, httpx.InvalidURL, ValueError) as error:
             raise RosmlError(f"the registry at {self.registry} does not answer: {error}", REMEDY) from None
         if not answer.is_success:
-            text = f"the registry at {self.registry} answers {answer.status_code} to {method} {path}"
-            raise RosmlError(text, REMEDY)
+            raise RosmlError(f"the registry at {self.registry} answers {answer.status_code} to {method} {path}", REMEDY)
         return answer.headers, content
 
     def require_builder(self, platform: str = "") -> None:
-        """Checks that buildx reaches the builder, and that the builder runs programs of a platform.
-
-        Raises:
-            RosmlError: one of these fails.
-        """
+        """Checks that buildx reaches the builder, and that the builder runs programs of a platform."""
         remedy = REMEDY
         if not self.builder:
             raise RosmlError("the builder is not up", REMEDY)
@@ -204,16 +154,19 @@ class Services:
             )
         except (OSError, subprocess.TimeoutExpired) as error:
             raise RosmlError(f"the builder '{self.builder}' does not answer: {error}", remedy) from None
-        status = [line.split(":", 1)[1].strip() for line in done.stdout.splitlines() if line.startswith("Status:")]
+        status = _values(done.stdout, "Status")
         if done.returncode != 0 or "running" not in status:
-            what = f"is {status[0]}" if status else "does not answer"
-            raise RosmlError(f"the builder '{self.builder}' {what}", remedy)
-        known = [line.split(":", 1)[1] for line in done.stdout.splitlines() if line.startswith("Platforms:")]
-        if platform and platform not in {name.strip(" *") for text in known for name in text.split(",")}:
-            raise RosmlError(
-                f"the builder '{self.builder}' does not run programs for {platform}", "run 'rosml setup emulate'"
-            )
+            state = f"is {status[0]}" if status else "does not answer"
+            raise RosmlError(f"the builder '{self.builder}' {state}", remedy)
+        platforms = {name.strip(" *") for text in _values(done.stdout, "Platforms") for name in text.split(",")}
+        if platform and platform not in platforms:
+            text = f"the builder '{self.builder}' does not run programs for {platform}"
+            raise RosmlError(text, "run 'rosml setup emulate'")
 
 
-_WRITTEN = adapter(Services)
-"""Reads and writes services.json."""
+def _values(output: str, key: str) -> list[str]:
+    """The values of a key in the output of `buildx inspect`, one for each node."""
+    return [line.split(":", 1)[1].strip() for line in output.splitlines() if line.startswith(f"{key}:")]
+
+
+_SERVICES_JSON = adapter(Services)
