@@ -50,7 +50,8 @@ _NO_MEMORY_REMEDY = (
     "give the builder more memory, or let fewer compilers run at the same time: rosml containerize --parallel-jobs 1"
 )
 
-_BUILDER_REMEDIES = (
+_Remedies = tuple[tuple[str, str], ...]
+_BUILDER_REMEDIES: _Remedies = (
     (
         "x509: certificate signed by unknown authority",
         "put the registry's authority into certs.d/<host>/ca.crt beside Docker's config.json, then run 'rosml setup', which tells"
@@ -76,7 +77,7 @@ _BUILDER_REMEDIES = (
 )
 """Patterns of BuildKit's messages about problems outside of the build, and remedies."""
 
-_STEP_REMEDIES = (
+_STEP_REMEDIES: _Remedies = (
     (r"(client error \(|returned error: |failed to fetch .* )40[13]\b", _REFUSED),
     ("Hash mismatch", "a download is not what the lock says: run 'rosml locks' if that is intended"),
     ("all requirements must have their versions pinned", "a lock is damaged: run 'rosml locks'"),
@@ -350,6 +351,7 @@ def _remedy(bake: Bake, progress: BuildProgress, step: Step | None) -> str:
     """The remedy for the last line that matches a pattern: after earlier errors, the build went on."""
     if step and "] ONBUILD " in step.name:
         return "every build on the base image runs this, and the files it is for are not here: name one without ONBUILD"
+    messages: list[tuple[str, _Remedies]]
     messages = [(line, _BUILDER_REMEDIES) for line in (*progress.other, step.error if step else "")]
     printed = list(step.tail) if step else []
     if printed and _SCRIPT_ERROR.match(printed[-1]):

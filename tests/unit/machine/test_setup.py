@@ -135,8 +135,8 @@ def test_a_tool_on_path_is_used_if_it_is_new_enough(state: State, monkeypatch: p
     mine = program(state.root / "mine", "regctl", "echo VCSTag: v0.11.9")
     monkeypatch.setenv("PATH", str(mine.parent))
     installer = Installer(state)
-    assert installer.found("regctl", "version", (0, 11)) == str(mine)
-    assert installer.found("regctl", "version", (0, 12)) is None
+    assert installer.on_path("regctl", "version", (0, 11)) == str(mine)
+    assert installer.on_path("regctl", "version", (0, 12)) is None
     assert installer.have == ["regctl v0.11.9 (found on PATH)"]
 
 
@@ -281,7 +281,7 @@ def test_a_client_leaves_services_that_are_up(state: State, monkeypatch: pytest.
 def test_our_own_folder_does_not_count_as_the_machines(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
     program(state.bin, "regctl", "echo v9.9.9")
     monkeypatch.setenv("PATH", str(state.bin))
-    assert Installer(state).found("regctl", "version", (0, 11)) is None
+    assert Installer(state).on_path("regctl", "version", (0, 11)) is None
 
 
 @pytest.fixture
@@ -490,7 +490,7 @@ def installed(
     monkeypatch.setattr(installer, "which_system", lambda name: name if name in there else None)
     monkeypatch.setattr(os, "geteuid", lambda: 0 if root else 1000)
     monkeypatch.setattr(
-        installer, "run", lambda say, what, argv, *_, **__: packages.extend(argv[-1:] * ("install" in argv))
+        installer, "run", lambda say, call: packages.extend(call.argv[-1:] * ("install" in call.argv))
     )
     try:
         made = Installer(state)
@@ -940,7 +940,7 @@ def test_steps_of_a_builder_in_docker_get_a_network_of_their_own(
     docker.unlink()
     machine(state, "docker", str(buildx)).save()
     assert services.down(state) == ["builder in Docker"]
-    beside = "run --rm --privileged --userns host --network host --pull never --entrypoint env moby/buildkit:v0.29.0"
+    beside = "run --rm --privileged --userns=host --network=host --pull=never --entrypoint=env moby/buildkit:v0.29.0"
     *_save, tidied = docker.read_text().splitlines()
     assert tidied == f"--host unix:///docker.sock {beside} sh -c " + "; ".join(
         [
@@ -1140,19 +1140,20 @@ def test_run_shows_signs_of_life(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(process, "HEARTBEAT_SECONDS", 0.1)
-    process.run(print, "nap", ["sleep", "0.25"], tmp_path / "log")
+    process.run(print, process.Call("nap", ["sleep", "0.25"], tmp_path / "log"))
     assert "  nap: still at work (0.1 s)\n" in capsys.readouterr().out
 
 
 def test_run_of_a_missing_program(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="cannot run nothing-like-this"):
-        process.run(print, "x", ["nothing-like-this"], tmp_path / "log")
+        process.run(print, process.Call("x", ["nothing-like-this"], tmp_path / "log"))
 
 
 def test_interrupt_ends_what_runs(tmp_path: Path) -> None:
     threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
     with pytest.raises(KeyboardInterrupt):
-        process.run(print, "nap", ["sh", "-c", f"sleep 60 & echo $! >{tmp_path}/pid; wait"], tmp_path / "log")
+        argv = ["sh", "-c", f"sleep 60 & echo $! >{tmp_path}/pid; wait"]
+        process.run(print, process.Call("nap", argv, tmp_path / "log"))
     child = int((tmp_path / "pid").read_text())
     assert wait_until(lambda: command_line(child) == (), 5.0)  # it was told at the same time as its parent
 
@@ -1160,9 +1161,8 @@ def test_interrupt_ends_what_runs(tmp_path: Path) -> None:
 def test_interrupt_waits_for_what_must_not_be_torn(tmp_path: Path) -> None:
     threading.Timer(0.2, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
     with pytest.raises(KeyboardInterrupt):
-        process.run(
-            print, "dpkg", ["sh", "-c", f"sleep 0.6; touch {tmp_path}/done"], tmp_path / "log", finish_on_interrupt=True
-        )
+        argv = ["sh", "-c", f"sleep 0.6; touch {tmp_path}/done"]
+        process.run(print, process.Call("dpkg", argv, tmp_path / "log", finish_on_interrupt=True))
     assert (tmp_path / "done").exists()
 
 

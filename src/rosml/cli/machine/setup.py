@@ -165,7 +165,7 @@ def client() -> None:
 def linters() -> None:
     """Installs the Python packages for linters, and builds actionlint and composecheck in some seconds."""
     installer = _installer(state_of_checkout())
-    if not installer.found("actionlint", "--version"):
+    if not installer.on_path("actionlint", "--version"):
         installer.go_program("actionlint")
     installer.go_program("composecheck")
     installer.drop_go_caches()
@@ -309,7 +309,7 @@ def _program(name: str, ask: str, file: str, tests: bool) -> None:
     from rosml.base import files
 
     installer = _installer(state_of_checkout())
-    path = installer.found(name, ask) or installer.go_program(name)
+    path = installer.on_path(name, ask) or installer.go_program(name)
     if tests:
         installer.go_program("registry")
     installer.drop_go_caches()

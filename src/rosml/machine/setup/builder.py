@@ -21,7 +21,7 @@ from rosml.machine.setup import network, step_network
 from rosml.machine.setup.builder_cache import CacheLimits
 from rosml.machine.setup.daemon import START_SECONDS, Daemon, fingerprint, processes, wait_until
 from rosml.machine.setup.installer import which_system
-from rosml.machine.setup.process import output_of, run, tail
+from rosml.machine.setup.process import Call, output_of, run, tail
 from rosml.machine.setup.state import State
 from rosml.machine.setup.step_network import Bridge, Container, Place
 from rosml.registry import certificates
@@ -29,17 +29,14 @@ from rosml.registry import certificates
 UNUSABLE = (":", ",", "\\", '"')
 """Characters that the path of an overlay's layer must not have."""
 DOCKER_FOLDER = Path("/var/lib/docker")
-"""The usual folder of Docker, with the cache of a builder in Docker."""
 SHARED = "build steps share this machine's network: code of a repository reaches what listens here"
-"""The message about a builder whose steps have no network of their own."""
 NO_START = "as it does not start with a bridge"
-"""The reason, if a builder in Docker would not start."""
 
 
 def config(
     registry: str,
     mirror: bool,
-    own: Mapping[str, str] | None = None,
+    paths: Mapping[str, str] | None = None,
     trusted: Mapping[str, Sequence[Path]] | None = None,
     bridge: Bridge | None = None,
     limits: CacheLimits = CacheLimits(),  # noqa: B008 (it is frozen)
@@ -47,42 +44,37 @@ def config(
     """buildkitd.toml.
 
     Args:
-        registry: the address of the local registry.
         mirror: the local registry replaces Docker Hub.
-        own: ``root``, ``socket``, ``otel`` and ``runc`` of our own buildkitd; None for one in a container.
+        paths: ``root``, ``socket``, ``otel`` and ``runc`` of our own buildkitd; None for one in a container.
         trusted: files with authorities for registries, by host.
         bridge: the bridge for steps with their own network; None for the machine's network.
-        limits: of the cache.
     """
     q = json.dumps  # a JSON string is a TOML basic string
     lines: list[str] = []
-    if own:
-        lines += [f"root = {q(own['root'])}"]
-    if own or bridge:
+    if paths:
+        lines += [f"root = {q(paths['root'])}"]
+    if paths or bridge:
         lines += ['insecure-entitlements = ["network.host"]']
-    if own:
-        lines += ["[grpc]", f"  address = [{q('unix://' + own['socket'])}]"]
-        lines += ["[otel]", f"  socketPath = {q(own['otel'])}"]
+    if paths:
+        lines += ["[grpc]", f"  address = [{q('unix://' + paths['socket'])}]"]
+        lines += ["[otel]", f"  socketPath = {q(paths['otel'])}"]
         lines += ["[cdi]", "  disabled = true"]
         lines += ["[worker.containerd]", "  enabled = false"]
     lines += ["[worker.oci]", "  enabled = true", "  gc = true"]
     if bridge:
         lines += bridge.lines()
-    elif own:
+    elif paths:
         lines += ['  networkMode = "host"']
-    if own:
-        lines += [f"  binary = {q(own['runc'])}"]
+    if paths:
+        lines += [f"  binary = {q(paths['runc'])}"]
     lines += ["[[worker.oci.gcpolicy]]", "  all = true", *limits.lines()]
     lines += [f"[registry.{q(registry)}]", "  http = true", "  insecure = true"]
-    for host, found in sorted((trusted or {}).items()):
+    for host, authorities in sorted((trusted or {}).items()):
         if host not in (registry, "docker.io"):
             # The digest is for a builder in Docker, which gets copies: with it, a renewed file changes the configuration.
-            lines += [f"# {fingerprint(file)}" for file in found]
-            lines += [
-                f"[registry.{q(host)}]",
-                "  http = false",
-                f"  ca = [{', '.join(q(str(file)) for file in found)}]",
-            ]
+            lines += [f"# {fingerprint(file)}" for file in authorities]
+            lines += [f"[registry.{q(host)}]", "  http = false"]
+            lines += [f"  ca = [{', '.join(q(str(file)) for file in authorities)}]"]
     if mirror:
         lines += ['[registry."docker.io"]', f"  mirrors = [{q(registry)}]"]
     return "\n".join(lines) + "\n"
@@ -106,11 +98,7 @@ def daemon(state: State) -> Daemon:
 
 
 def up(state: State, services: Services, image: str) -> None:
-    """Makes sure that the builder runs and buildx knows it. ``image``: BuildKit's image, for a builder in Docker.
-
-    Raises:
-        RosmlError: it does not start; the message has its output.
-    """
+    """Makes sure that the builder runs and buildx knows it. `image`: BuildKit's, for a builder in Docker."""
     if services.builder_kind == "user":
         _up_user(state, services)
     elif services.builder_kind == "docker":
@@ -124,67 +112,65 @@ def _up_user(state: State, services: Services) -> None:
     try:
         _boot(state, services)
     except RosmlError as error:
-        raise RosmlError(
-            f"BUILDX_BUILDER={services.builder}: {error.message}",
-            "start that builder, or unset BUILDX_BUILDER to have one made",
-        ) from None
+        remedy = "start that builder, or unset BUILDX_BUILDER to have one made"
+        raise RosmlError(f"BUILDX_BUILDER={services.builder}: {error.message}", remedy) from None
     state.say(f"builder: yours, '{services.builder}' (BUILDX_BUILDER); it must reach http://{services.registry}")
     state.say("builder: its configuration decides whether code of a repository reaches what listens there")
 
 
 def _up_docker(state: State, services: Services, image: str) -> None:
-    """A builder in a container of the user's Docker, on the host's network, to reach the registry on loopback. Its steps get their
-    own network if possible. If not, the reason is kept until the builder is made again."""
+    """A builder in a container of the user's Docker, on the host's network, to reach the registry on loopback.
+
+    Its steps get their own network if possible. If not, the reason is kept until the builder is made again.
+    """
     started = time.monotonic()
-    file, kept = _docker_config(state), _reason(state)
-    before = Bridge.read(file)
-    why = kept.read_text() if kept.exists() else ""
+    reason_file, bridge = _reason(state), Bridge.read(_docker_config(state))
+    reason = reason_file.read_text() if reason_file.exists() else ""
     try:
-        if _start_docker(state, services, image, before) or before:
-            kept.unlink(missing_ok=True)
-            why = ""
+        if _start_docker(state, services, image, bridge) or bridge:
+            reason_file.unlink(missing_ok=True)
+            reason = ""
     except RosmlError:
-        if not before:
+        if not bridge:
             raise
-        kept.unlink(missing_ok=True)
-        why = NO_START
+        reason_file.unlink(missing_ok=True)
+        reason = NO_START
     container = Container.of(_record(state, services), image)
-    if not why:
-        why = _bridge_docker(state, services, container) if container else "as buildx does not tell its place"
-    if why and not kept.exists():
-        if not _made(state, services, _docker_text(state, services, image, None)):
+    if not reason:
+        reason = _bridge_docker(state, services, container) if container else "as buildx does not tell its place"
+    if reason and not reason_file.exists():
+        if not _is_configured(state, services, _docker_text(state, services, image, None)):
             _start_docker(state, services, image, None)
-        files.write(kept, why)
+        files.write(reason_file, reason)
     state.say(f"builder: '{services.builder}' in your Docker, up in {duration(time.monotonic() - started)}")
-    if why:
-        state.say(f"builder: {SHARED}, {why}")
+    if reason:
+        state.say(f"builder: {SHARED}, {reason}")
 
 
 def _bridge_docker(state: State, services: Services, container: Container) -> str:
     """Gives steps of a running builder in Docker their own network. Returns why not; empty if it works."""
-    found = container.bridge(state.root)
-    if isinstance(found, str):
-        return found
-    known = found == container.running()
+    bridge = container.bridge(state.root)
+    if isinstance(bridge, str):
+        return bridge
+    proven = bridge == container.running()
     try:
-        if known:  # it may be another checkout's: they share the builder
-            files.write(_docker_config(state), _docker_text(state, services, container.image, found))
+        if proven:  # it may be another checkout's: they share the builder
+            files.write(_docker_config(state), _docker_text(state, services, container.image, bridge))
         else:
-            _start_docker(state, services, container.image, found)
+            _start_docker(state, services, container.image, bridge)
         services.require_builder()
     except RosmlError:
         return NO_START
-    return step_network.enclose(found, container.place(), known)
+    return step_network.enclose(bridge, container.place(), proven)
 
 
 def _start_docker(state: State, services: Services, image: str, bridge: Bridge | None) -> bool:
-    """Starts it. buildx copies the configuration when it makes the container, so a new configuration needs a new container. Returns
-    whether it made one."""
+    """Starts it, and returns whether it made a container: buildx copies the configuration only when it makes one."""
     file, text = _docker_config(state), _docker_text(state, services, image, bridge)
-    made = not _made(state, services, text)
-    if made:
-        own = ", whose steps have a network of their own" if bridge else ""
-        state.say(f"builder: making one in your Docker{own}")
+    outdated = not _is_configured(state, services, text)
+    if outdated:
+        network_note = ", whose steps have a network of their own" if bridge else ""
+        state.say(f"builder: making one in your Docker{network_note}")
         if Bridge.read(file):
             with contextlib.suppress(RosmlError):
                 stop_docker(state, services)
@@ -197,47 +183,40 @@ def _start_docker(state: State, services: Services, image: str, bridge: Bridge |
         _create(services, [*options, "--buildkitd-config", str(waiting)])
         os.replace(waiting, file)
     _boot(state, services)
-    return made
+    return outdated
 
 
-def _made(state: State, services: Services, text: str) -> bool:
+def _is_configured(state: State, services: Services, text: str) -> bool:
     """Whether a builder in Docker was made with a configuration."""
     file = _docker_config(state)
-    return file.exists() and file.read_text() == text and _known(state, services)
+    return file.exists() and file.read_text() == text and _record(state, services).exists()
 
 
 def _docker_config(state: State) -> Path:
-    """The configuration of a builder in Docker."""
     return state.run / "buildkitd-docker.toml"
 
 
 def _docker_text(state: State, services: Services, image: str, bridge: Bridge | None) -> str:
-    """Its text. ``image``: BuildKit's image."""
     limits = CacheLimits.kept(_docker_config(state), DOCKER_FOLDER if DOCKER_FOLDER.is_dir() else state.folder)
     text = config(services.registry, bool(services.bases), trusted=certificates.by_host(), bridge=bridge, limits=limits)
     return f"# {image}\n{text}"
 
 
 def stop_docker(state: State, services: Services, remove: bool = False) -> None:
-    """Stops a builder in Docker, and removes the bridge and its rules. ``remove``: also the container and its volume.
-
-    Raises:
-        RosmlError: it cannot be stopped.
-    """
+    """Stops a builder in Docker, and removes the bridge and its rules. `remove`: also the container and its volume."""
     file = _docker_config(state)
     bridge = Bridge.read(file)
     image = file.read_text().splitlines()[0].removeprefix("# ") if bridge else ""
     container = Container.of(_record(state, services), image)
     argv = [*services.buildx, *(["rm", "--force"] if remove else ["stop"]), services.builder]
-    run(state.say, "builder in Docker", argv, state.log / "builder.log", env=services.environment())
+    run(state.say, Call("builder in Docker", argv, state.log / "builder.log", services.environment()))
     if bridge and container:
         step_network.tidy(bridge, container.beside())
 
 
 def _boot(state: State, services: Services) -> None:
-    """Starts a builder that buildx manages, and waits for it."""
     argv = [*services.buildx, "inspect", "--bootstrap", services.builder]
-    run(state.say, f"builder '{services.builder}'", argv, state.log / "builder.log", env=services.environment())
+    run(state.say, Call(f"builder '{services.builder}'", argv, state.log / "builder.log", services.environment()))
 
 
 def _create(services: Services, options: Sequence[str]) -> None:
@@ -251,33 +230,27 @@ def _create(services: Services, options: Sequence[str]) -> None:
 
 
 def _record(state: State, services: Services) -> Path:
-    """buildx' record of the builder."""
     return state.folder / "buildx/instances" / services.builder
-
-
-def _known(state: State, services: Services) -> bool:
-    """Whether buildx has a record of the builder."""
-    return _record(state, services).exists()
 
 
 def _up_own(state: State, services: Services) -> None:
     """Our own buildkitd. Its steps get their own network if possible. If not, the reason is kept while it runs."""
     if any(character in str(state.folder) for character in UNUSABLE):
-        raise RosmlError(
-            f"the path {state.root} has one of {' '.join(UNUSABLE)} in it, which overlay file systems cannot take",
-            "move the checkout to a path without it",
-        )
-    kept = _reason(state)
-    tried = kept.exists() and daemon(state).pid()
-    found = kept.read_text() if tried else step_network.bridge(state.root)
-    if isinstance(found, Bridge):
-        kept.unlink(missing_ok=True)
-        found = _start_own(state, services, found)
-        if not found:
+        text = f"the path {state.root} has one of {' '.join(UNUSABLE)} in it, which overlay file systems cannot take"
+        raise RosmlError(text, "move the checkout to a path without it")
+    reason_file = _reason(state)
+    tried = reason_file.exists() and daemon(state).pid()
+    bridge = reason_file.read_text() if tried else step_network.bridge(state.root)
+    if isinstance(bridge, str):
+        reason = bridge
+    else:
+        reason_file.unlink(missing_ok=True)
+        reason = _start_own(state, services, bridge)
+        if not reason:
             return
-        files.write(kept, found)
+        files.write(reason_file, reason)
     _start_own(state, services, None)
-    state.say(f"builder: {SHARED}, {found}")
+    state.say(f"builder: {SHARED}, {reason}")
 
 
 def _reason(state: State) -> Path:
@@ -286,65 +259,69 @@ def _reason(state: State) -> Path:
 
 
 def _start_own(state: State, services: Services, bridge: Bridge | None) -> str:
-    """Starts it unless it runs. Returns why its steps cannot have their own network although there is a bridge; empty if they can."""
-    root, say = state.folder / "buildkit", state.say
-    buildkitd = daemon(state)
-    address = state.socket("buildkitd.sock")
+    """Starts it unless it runs. Returns why its steps cannot use the bridge; empty if they can, or without a bridge."""
+    root, buildkitd, address = state.folder / "buildkit", daemon(state), state.socket("buildkitd.sock")
     state.prepare_socket(address)
-    own = {
-        "root": str(root),
+    previous_bridge = Bridge.read(buildkitd.config)
+    files.write(buildkitd.config, _own_config(state, services, bridge))
+    if buildkitd.pid() and buildkitd.current():
+        if not _record(state, services).exists():
+            _create(services, ["--driver", "remote", f"unix://{address}"])
+        with contextlib.suppress(RosmlError):
+            services.require_builder()
+            state.say(f"builder: '{services.builder}', buildkitd runs")
+            return _enclosed(state, bridge)
+        state.say("builder: buildkitd does not answer; restarting it")
+    elif buildkitd.pid():
+        state.say("builder: buildkitd has an old configuration; restarting it")
+    buildkitd.stop()
+    if network.socket_answers(str(address)):  # its record is lost, or names another place: it is not ours to stop
+        remedy = "end it (pkill buildkitd), then run 'rosml setup' again"
+        raise RosmlError(f"another buildkitd answers at {address}", remedy)
+    _tidy(root)
+    if previous_bridge:
+        step_network.tidy(previous_bridge)
+    return _launch(state, services, bridge)
+
+
+def _own_config(state: State, services: Services, bridge: Bridge | None) -> str:
+    address, file = state.socket("buildkitd.sock"), daemon(state).config
+    paths = {
+        "root": str(state.folder / "buildkit"),
         "socket": str(address),
         "otel": str(address.with_name("otel.sock")),
         "runc": which_system("runc") or which_system("crun") or "",
     }
-    before = Bridge.read(buildkitd.config)
-    limits = CacheLimits.kept(buildkitd.config, state.folder)
-    text = config(services.registry, bool(services.bases), own, certificates.by_host(), bridge, limits)
-    files.write(buildkitd.config, text)
-    record = ["--driver", "remote", f"unix://{address}"]
-    if buildkitd.pid() and buildkitd.current():
-        if not _known(state, services):
-            _create(services, record)
-        with contextlib.suppress(RosmlError):
-            services.require_builder()
-            say(f"builder: '{services.builder}', buildkitd runs")
-            return _enclosed(bridge, buildkitd, root)
-        say("builder: buildkitd does not answer; restarting it")
-    elif buildkitd.pid():
-        say("builder: buildkitd has an old configuration; restarting it")
-    buildkitd.stop()
-    if network.socket_answers(str(address)):  # its record is lost, or names another place: it is not ours to stop
-        raise RosmlError(
-            f"another buildkitd answers at {address}", "end it (pkill buildkitd), then run 'rosml setup' again"
-        )
-    _tidy(root)
-    if before:
-        step_network.tidy(before)
-    started = time.monotonic()
+    limits = CacheLimits.kept(file, state.folder)
+    return config(services.registry, bool(services.bases), paths, certificates.by_host(), bridge, limits)
+
+
+def _launch(state: State, services: Services, bridge: Bridge | None) -> str:
+    """Starts our own buildkitd, which does not run. Returns as `_start_own`."""
+    buildkitd, address, started = daemon(state), state.socket("buildkitd.sock"), time.monotonic()
     address.unlink(missing_ok=True)
     buildkitd.start()
     wait_until(lambda: network.socket_answers(str(address)) or not buildkitd.pid(), START_SECONDS)
-    no_bridge = f"as buildkitd does not start with a bridge ({buildkitd.log} says why)"
-    if not buildkitd.pid():
-        if bridge:
-            return no_bridge
-        raise RosmlError(f"buildkitd does not start. {tail(buildkitd.log)}")
-    _create(services, record)
     try:
-        services.require_builder()
+        if not buildkitd.pid():
+            raise RosmlError(f"buildkitd does not start. {tail(buildkitd.log)}")
+        _create(services, ["--driver", "remote", f"unix://{address}"])
+        try:
+            services.require_builder()
+        except RosmlError:
+            raise RosmlError(f"buildkitd does not answer. {tail(buildkitd.log)}") from None
     except RosmlError:
-        if bridge:  # it answers a moment before it uses the bridge
-            return no_bridge
-        raise RosmlError(f"buildkitd does not answer. {tail(buildkitd.log)}") from None
+        if bridge:  # it may answer a moment before it uses the bridge
+            return f"as buildkitd does not start with a bridge ({buildkitd.log} says why)"
+        raise
     took = duration(time.monotonic() - started)
-    say(f"builder: '{services.builder}', started buildkitd in {took}, since no Docker daemon can be used")
-    return _enclosed(bridge, buildkitd, root)
+    state.say(f"builder: '{services.builder}', started buildkitd in {took}, since no Docker daemon can be used")
+    return _enclosed(state, bridge)
 
 
-def _enclosed(bridge: Bridge | None, buildkitd: Daemon, root: Path) -> str:
-    """Why steps cannot have the bridge's network; empty if they can, or if there is no bridge."""
-    pid = buildkitd.pid()
-    return step_network.enclose(bridge, Place.here(pid, root / "net/cni")) if bridge and pid else ""
+def _enclosed(state: State, bridge: Bridge | None) -> str:
+    pid = daemon(state).pid()
+    return step_network.enclose(bridge, Place.here(pid, state.folder / "buildkit/net/cni")) if bridge and pid else ""
 
 
 def stop(state: State) -> bool:
@@ -358,7 +335,7 @@ def stop(state: State) -> bool:
 
 
 def _tidy(root: Path) -> None:
-    """Removes the remains of a killed buildkitd: running build steps, mounts, and its list of networks. ``root``: its folder."""
+    """Removes the remains of a killed buildkitd: running build steps, mounts, and its list of networks."""
     for pid in processes():
         if pid != os.getpid() and is_build_step(pid, root):
             with contextlib.suppress(OSError):
@@ -378,15 +355,11 @@ def is_build_step(pid: int, root: Path) -> bool:
 
 
 def unmount_below(folder: Path) -> None:
-    """Unmounts the mounts of a killed builder, so that removing its files stays within the folder.
-
-    Raises:
-        RosmlError: something stays mounted.
-    """
+    """Unmounts the mounts of a killed builder, so that removing its files stays within the folder."""
     for point in reversed(mounted_below(folder)):
         output_of(["umount", "--lazy", point])
-    if left := mounted_below(folder):
-        raise RosmlError(f"still mounted: {', '.join(left)}", f"umount --lazy {left[-1]}")
+    if mounts := mounted_below(folder):
+        raise RosmlError(f"still mounted: {', '.join(mounts)}", f"umount --lazy {mounts[-1]}")
 
 
 def mounted_below(folder: Path) -> list[str]:

@@ -12,11 +12,10 @@ from pathlib import Path
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.machine.setup.process import detached
+from rosml.machine.setup.process import Call, detached
 from rosml.machine.setup.state import State
 
 START_SECONDS = 60.0
-"""The longest that a service may take until it answers."""
 
 LOG_LIMIT = 10_000_000
 """From this size in bytes, a log is put aside when its service starts."""
@@ -27,10 +26,8 @@ class Daemon:
     """One service.
 
     Attributes:
-        name: its name, and that of its log.
         argv: its command line. It has a file of this checkout, so no other checkout has the same.
         config: the file that it reads when it starts. If the file changes, it restarts.
-        env: its environment.
         launcher: a command, with arguments, that prepares the process and then becomes the service.
     """
 
@@ -46,34 +43,30 @@ class Daemon:
         return self.state.log / f"{self.name}.log"
 
     @property
-    def _read(self) -> Path:
+    def _read_digest(self) -> Path:
         """The file with the digest of the configuration that the service has read."""
         return self.state.run / f"{self.name}.read"
 
     def pid(self) -> int | None:
-        """The process of the service; None if it does not run."""
+        """The process of the service, if it runs."""
         return next((pid for pid in processes() if command_line(pid) == self.argv), None)
 
     def current(self) -> bool:
         """Whether the running service has read the present configuration."""
-        return self._read.exists() and self._read.read_text() == fingerprint(self.config)
+        return self._read_digest.exists() and self._read_digest.read_text() == fingerprint(self.config)
 
     def start(self) -> None:
-        """Starts it. You may interrupt it: the digest is written before the service reads its configuration, and we find it
-        without a record.
-
-        Raises:
-            RosmlError: it cannot be run.
-        """
+        """You may interrupt it: the digest is written before the service reads its configuration, and `pid` needs no record."""
         if self.log.exists() and self.log.stat().st_size > LOG_LIMIT:
             self.log.replace(self.log.with_suffix(".log.old"))
-        files.write(self._read, fingerprint(self.config))
-        process = detached(self.name, (*self.launcher, *self.argv), self.log, self.env, self.state.folder)
+        files.write(self._read_digest, fingerprint(self.config))
+        argv = (*self.launcher, *self.argv)
+        process = detached(Call(self.name, argv, self.log, self.env, self.state.folder))
         # The start is reported a little before the new command line can be read.
         wait_until(lambda: command_line(process.pid) == self.argv or process.poll() is not None, 5.0, 0.01)
 
     def stop(self, patience: float = 20.0) -> bool:
-        """Stops it: SIGTERM, after ``patience`` seconds SIGKILL. Returns whether it ran."""
+        """Sends SIGTERM, and SIGKILL after `patience` seconds. Returns whether it ran."""
         pid = self.pid()
         for kind, seconds in ((signal.SIGTERM, patience), (signal.SIGKILL, 10.0)):
             if pid is None or command_line(pid) != self.argv:
@@ -81,10 +74,9 @@ class Daemon:
             try:
                 os.kill(pid, kind)
             except PermissionError:
-                text = f"{self.name} (process {pid}) belongs to another user"
-                raise RosmlError(text, f"sudo kill {pid}") from None
+                raise RosmlError(f"{self.name} (process {pid}) belongs to another user", f"sudo kill {pid}") from None
             wait_until(lambda: self.pid() != pid, seconds)
-        self._read.unlink(missing_ok=True)
+        self._read_digest.unlink(missing_ok=True)
         return pid is not None
 
 
@@ -97,7 +89,6 @@ def fingerprint(path: Path) -> str:
 
 
 def processes() -> list[int]:
-    """The ids of all processes."""
     return [int(entry) for entry in os.listdir("/proc") if entry.isdigit()]
 
 

@@ -20,7 +20,7 @@ TABLE = Path("/proc/sys/fs/binfmt_misc")
 ENTRIES = Path("/usr/lib/binfmt.d")
 PACKAGE = "qemu-user-static"
 PROBE = "arch-test"
-"""The program that tells mmdebstrap whether programs of an architecture run; also its package."""
+"""The program, and its package, that tells mmdebstrap whether programs of an architecture run."""
 OTHER = {"x86_64": ("arm64", "qemu-aarch64"), "aarch64": ("amd64", "qemu-x86_64")}
 """For each processor: the architecture to emulate, and the name of QEMU's entry for it."""
 
@@ -30,16 +30,13 @@ def ensure(installer: Installer, hub: bool, table: Path = TABLE, entries: Path =
 
     Args:
         hub: whether base images come from Docker Hub. Otherwise mmdebstrap makes them, and calls `PROBE`.
-
-    Raises:
-        RosmlError: this user may not, the kernel cannot, or there is no QEMU for the architecture.
     """
     architecture, name = OTHER.get(platform.machine(), ("", ""))
     if not name:
         raise RosmlError(f"no emulation is known for {platform.machine()}", "use a machine of the architecture itself")
-    known = (table / name).exists()
+    registered = (table / name).exists()
     probed = hub or which_system(PROBE)
-    if known and probed:
+    if registered and probed:
         installer.state.say(f"emulation: {architecture} runs already")
         return False
     root = [] if os.geteuid() == 0 else _sudo()
@@ -69,7 +66,7 @@ def ensure(installer: Installer, hub: bool, table: Path = TABLE, entries: Path =
             remedy = "in a container, let its host do this; or take a machine of the architecture itself"
             raise RosmlError(f"the kernel does not take QEMU's entry: {done.stderr.strip()}", remedy)
     installer.state.say(f"emulation: {architecture} runs, through QEMU, until this machine restarts")
-    return not known
+    return not registered
 
 
 def _sudo() -> list[str] | None:

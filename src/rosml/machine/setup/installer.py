@@ -16,7 +16,7 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.programs import Pin, parse_pin
 from rosml.base.units import duration, size
-from rosml.machine.setup.process import detached, end_group, output_of, run
+from rosml.machine.setup.process import Call, detached, end_group, output_of, run
 from rosml.machine.setup.state import State
 from rosml.machine.setup.tool_cache import ToolCache
 
@@ -28,10 +28,8 @@ BUILD_BYTES = 6_000_000_000
 OLDEST_GO: Version = (1, 21)
 """From this release on, Go itself fetches the newer toolchain that a go.mod requires."""
 
-
 GO_PROGRAMS = ("regctl", "registry", "buildx", "buildkitd", "trivy", "cosign", "actionlint", "composecheck")
 """Programs that are built from Go modules; `tools/go/<name>` pins each, with all dependencies by hash."""
-
 
 VERSIONS = {
     "buildx": "github.com/docker/buildx/version.Version",
@@ -48,7 +46,6 @@ def version_in(text: str) -> Version:
 
 
 def dotted(version: Version) -> str:
-    """(0, 11, 7) -> ``0.11.7``."""
     return ".".join(str(number) for number in version)
 
 
@@ -61,7 +58,7 @@ class Installer:
         self._cache = ToolCache(state.cache / "tools")
 
     def report(self) -> None:
-        """Prints a line with the programs that were there already. In CI, lets the next steps of the job find all programs."""
+        """Prints the programs that were installed already. In CI, lets the next steps of the job find all programs."""
         if self.have:
             self.state.say(f"tools: {', '.join(self.have)}")
         if path := os.environ.get("GITHUB_PATH"):
@@ -69,23 +66,26 @@ class Installer:
                 stream.write(f"{self.state.bin}\n")
 
     # ---- what the machine has -------------------------------------------------------------------------------------
-    def found(self, name: str, ask: str, oldest: Version = ()) -> str | None:
+    def on_path(self, name: str, version_argument: str, oldest: Version = ()) -> str | None:
         """A program on the user's PATH (``.state/bin`` does not count), if its version fits.
 
         Args:
-            ask: the argument that prints its version.
+            version_argument: the argument that prints its version.
             oldest: the oldest version that fits. Without it, only the pinned one fits, because its results depend on it.
         """
         path = shutil.which(name, path=self.outer_path())
         if path is None:
             return None
-        version, wanted = version_in(output_of([path, ask])), oldest or version_in(self.pin(name).version)
-        if version == wanted or (oldest and version > oldest):
+        version, required = (
+            version_in(output_of([path, version_argument])),
+            oldest or version_in(self.pin(name).version),
+        )
+        if version == required or (oldest and version > oldest):
             self.have.append(f"{name} v{dotted(version)} (found on PATH)")
             return path
-        has = f"v{dotted(version)}" if version else "of unknown version"
-        what = f"not v{dotted(wanted)}, which is pinned" if not oldest else f"older than v{dotted(wanted)}"
-        self.state.say(f"{name}: the one on PATH ({path}, {has}) is {what}: not used")
+        label = f"v{dotted(version)}" if version else "of unknown version"
+        reason = f"older than v{dotted(required)}" if oldest else f"not v{dotted(required)}, which is pinned"
+        self.state.say(f"{name}: the one on PATH ({path}, {label}) is {reason}: not used")
         return None
 
     def outer_path(self) -> str:
@@ -95,11 +95,9 @@ class Installer:
 
     # ---- Go -------------------------------------------------------------------------------------------------------
     def module(self, name: str) -> Path:
-        """The folder of the Go module that pins a program."""
         return self.state.root / "tools" / "go" / name
 
     def pin(self, name: str) -> Pin:
-        """The pin of a Go program."""
         return parse_pin((self.module(name) / "go.mod").read_text())
 
     def is_built(self, name: str) -> bool:
@@ -121,30 +119,25 @@ class Installer:
 
         It ignores failures: the build, which waits for its modules, reports them. Nothing runs after the block.
         """
-        wanted = [
-            name for name in names if not self.is_built(name) and not self._cache.has(name, self._stamp_text(name))
-        ]
+        unbuilt = [name for name in names if not self.is_built(name)]
+        missing = [name for name in unbuilt if not self._cache.has(name, self._stamp_text(name))]
         go = shutil.which("go", path=self.go_path())
-        if not wanted or go is None:
+        if not missing or go is None:
             yield
             return
-        self.state.say(f"Go modules of {', '.join(wanted)}: fetching them in the background")
+        self.state.say(f"Go modules of {', '.join(missing)}: fetching them in the background")
         script = 'go=$1; shift; for folder; do cd "$folder" && "$go" mod download; done'
-        argv = ["sh", "-c", script, "sh", go, *(str(self.module(name)) for name in wanted)]
-        process = detached("Go", argv, self.state.log / "go-modules.log", self.go_environment())
+        argv = ["sh", "-c", script, "sh", go, *(str(self.module(name)) for name in missing)]
+        process = detached(Call("Go", argv, self.state.log / "go-modules.log", self.go_environment()))
         try:
             yield
         finally:
             end_group(process)
 
     def go_program(self, name: str) -> str:
-        """The path of a Go program in ``.state/bin``. If it is missing, or if its pins have changed, copies it from the user's
-        cache, or builds it.
+        """The path of a Go program in ``.state/bin``, copied from the user's cache or built if it is missing or its pins have changed.
 
         You may interrupt it: what comes has another name first, and the program's stamp comes last.
-
-        Raises:
-            RosmlError: Go is not installed, the disk is full, or the build fails.
         """
         pin, program = self.pin(name), self.state.bin / name
         title = f"{name} {pin.version}"
@@ -152,8 +145,8 @@ class Installer:
             self.have.append(title)
             return str(program)
         self._stamp(name).unlink(missing_ok=True)
-        for left in self.state.bin.glob(f".{name}.*.partial"):
-            left.unlink()
+        for remainder in self.state.bin.glob(f".{name}.*.partial"):
+            remainder.unlink()
         partial = self.state.bin / f".{name}.{os.getpid()}.partial"  # the build of a killed setup may still be running
         pins = self._stamp_text(name)
         if self._cache.take(name, pins, partial):
@@ -166,41 +159,30 @@ class Installer:
         return str(program)
 
     def _build(self, name: str, program: Path) -> None:
-        """Builds a Go program.
-
-        Raises:
-            RosmlError: Go is not installed, the disk is full, or the build fails.
-        """
         pin = self.pin(name)
         title = f"{name} {pin.version}"
         go = self.go()
         free = shutil.disk_usage(self.state.folder).free
         if free < BUILD_BYTES:
-            needed = f"building {name} takes {size(BUILD_BYTES)} for the moment"
-            raise RosmlError(f"{size(free)} of disk are free; {needed}", "free some disk space")
+            text = f"{size(free)} of disk are free; building {name} takes {size(BUILD_BYTES)} for the moment"
+            raise RosmlError(text, "free some disk space")
         self.state.say(f"{title}: building from its Go module")
         started = time.monotonic()
         link = f"-s -w -X {VERSIONS[name]}={pin.version}" if name in VERSIONS else "-s -w"
         build = [go, "build", "-trimpath", "-ldflags", link, "-o", str(program), pin.package]
         log = self.state.log / f"build-{name}.log"
-        run(self.state.say, title, build, log, env=self.go_environment(), cwd=self.module(name))
+        run(self.state.say, Call(title, build, log, self.go_environment(), self.module(name)))
         self.state.say(f"{title}: built from its Go module in {duration(time.monotonic() - started)}")
 
     def go(self) -> str:
-        """The path of the Go command.
-
-        Raises:
-            RosmlError: Go is not installed, or too old to fetch the release that the pins need.
-        """
         path = shutil.which("go", path=self.go_path())
         remedy = f"install Go {dotted(OLDEST_GO)} or newer (https://go.dev/dl) and call this again"
         if path is None:
             raise RosmlError("Go is not installed; it builds the tools that this machine lacks", remedy)
         version = version_in(output_of([path, "version"]))
         if version < OLDEST_GO:
-            raise RosmlError(
-                f"{path} is Go {dotted(version)}; too old to build the tools that this machine lacks", remedy
-            )
+            text = f"{path} is Go {dotted(version)}; too old to build the tools that this machine lacks"
+            raise RosmlError(text, remedy)
         return path
 
     def go_path(self) -> str:
@@ -209,8 +191,8 @@ class Installer:
 
     def go_environment(self) -> dict[str, str]:
         """The environment of a Go build: caches in the state folder, none of the user's flags, no C compiler."""
-        left_out = ("GOOS", "GOARCH", "GO111MODULE", "GOEXPERIMENT")
-        env = {name: value for name, value in os.environ.items() if name not in left_out}
+        dropped = ("GOOS", "GOARCH", "GO111MODULE", "GOEXPERIMENT")
+        env = {name: value for name, value in os.environ.items() if name not in dropped}
         cache = self.state.folder / "go"
         (cache / "tmp").mkdir(parents=True, exist_ok=True)
         env |= {"GOMODCACHE": str(cache / "modules"), "GOCACHE": str(cache / "build"), "GOTMPDIR": str(cache / "tmp")}
@@ -220,22 +202,15 @@ class Installer:
         return env
 
     def drop_go_caches(self) -> None:
-        """Removes the builds' caches, more than 2 GB, in the background, as it can take a minute.
-
-        The module cache is writable: ``-modcacherw``.
-        """
-        old = self.state.folder / f"go-{os.getpid()}"
+        """Removes the builds' caches, more than 2 GB, in the background, as it can take a minute."""
+        doomed = self.state.folder / f"go-{os.getpid()}"
         with suppress(FileNotFoundError):
-            (self.state.folder / "go").rename(old)
-            subprocess.Popen(["rm", "-rf", str(old)], stdin=subprocess.DEVNULL, start_new_session=True)
+            (self.state.folder / "go").rename(doomed)
+            subprocess.Popen(["rm", "-rf", str(doomed)], stdin=subprocess.DEVNULL, start_new_session=True)
 
     # ---- Debian ---------------------------------------------------------------------------------------------------
     def apt(self, packages: Mapping[str, str], root: Sequence[str] = ()) -> str:
-        """The path of apt-get, if it may install packages. ``packages``, ``root``: as in ``debian_packages``.
-
-        Raises:
-            RosmlError: this is no Debian or Ubuntu, or this user may not install packages.
-        """
+        """The path of apt-get, if it may install packages, whose names have their purposes."""
         missing = f"missing: {reasons_of(packages)}"
         apt = which_system("apt-get")
         if apt is None:
@@ -245,15 +220,7 @@ class Installer:
         return apt
 
     def debian_packages(self, packages: Mapping[str, str], root: Sequence[str] = ()) -> None:
-        """Announces and installs Debian packages.
-
-        Args:
-            packages: their names, each with its purpose.
-            root: the words before a command that runs as root, if this process does not.
-
-        Raises:
-            RosmlError: this is no Debian or Ubuntu, this user may not install packages, or apt fails.
-        """
+        """Announces and installs Debian packages. `root`: the words before a command that runs as root, if this process does not."""
         if not packages:
             return
         apt, say = self.apt(packages, root), self.state.say
@@ -264,8 +231,8 @@ class Installer:
         log = self.state.log / "apt.log"
         install = [*root, apt, *options, "install", "--yes", "--no-install-recommends", *packages]
         try:
-            run(say, "apt-get update", [*root, apt, *options, "update"], log, env=env)
-            run(say, "apt-get install", install, log, env=env, finish_on_interrupt=True)
+            run(say, Call("apt-get update", [*root, apt, *options, "update"], log, env))
+            run(say, Call("apt-get install", install, log, env, finish_on_interrupt=True))
         except RosmlError as error:
             raise RosmlError(error.message, f"put it right by hand: {by_hand(packages)}") from None
         say(f"Debian packages {' '.join(packages)}: installed in {duration(time.monotonic() - started)}")

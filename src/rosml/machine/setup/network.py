@@ -20,16 +20,9 @@ WAIT_SECONDS = 5.0
 
 
 def docker_hub_answers(ca_bundle: str, attempts: int = 1) -> bool:
-    """Whether Docker Hub can be used: its registry API answers in time. ROSML_DOCKER_HUB=0 or 1 decides without asking.
+    """Whether Docker Hub's registry API answers in time. ROSML_DOCKER_HUB=0 or 1 decides without asking.
 
     Only a registry's answer counts, because a proxy also answers if it refuses a request.
-
-    Args:
-        ca_bundle: certificates to trust; the system's if empty.
-        attempts: how often to ask, with some seconds between. If it should answer, one failure is not enough.
-
-    Raises:
-        RosmlError: ROSML_DOCKER_HUB is neither 0 nor 1.
     """
     wish = os.environ.get("ROSML_DOCKER_HUB", "")
     if wish in ("0", "1"):
@@ -49,7 +42,6 @@ def docker_hub_answers(ca_bundle: str, attempts: int = 1) -> bool:
 
 
 def _ask_docker_hub(ca_bundle: str, answers: list[bool]) -> None:
-    """Appends whether it answers, once known."""
     try:
         trusted = ssl.create_default_context(cafile=ca_bundle or None)
         with web.client(verify=trusted, timeout=HUB_SECONDS) as client, client.stream("GET", HUB_API) as answer:
@@ -60,8 +52,8 @@ def _ask_docker_hub(ca_bundle: str, answers: list[bool]) -> None:
 
 def _is_registry(answer: httpx.Response) -> bool:
     """Whether an answer to ``GET /v2/`` is a registry's: 200, or 401 with the place of a token."""
-    known = answer.headers.get("Docker-Distribution-Api-Version", "").startswith("registry/")
-    return known and answer.status_code in (200, 401)
+    is_registry = answer.headers.get("Docker-Distribution-Api-Version", "").startswith("registry/")
+    return is_registry and answer.status_code in (200, 401)
 
 
 def answers(address: str) -> bool:
@@ -87,7 +79,6 @@ def registry_answers(address: str) -> bool:
 
 
 def port_is_free(port: int) -> bool:
-    """Whether a service could listen on this loopback port now."""
     with socket.socket() as probe:
         probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
@@ -98,7 +89,6 @@ def port_is_free(port: int) -> bool:
 
 
 def free_port() -> int:
-    """A loopback port that nothing listens on."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port: int = probe.getsockname()[1]

@@ -29,9 +29,7 @@ USER = "rosml"
 def config(storage: Path, port: int, password: Path) -> str:
     """The registry's configuration. JSON is YAML, so paths need no further quoting.
 
-    Args:
-        password: the file with the password for pushes. Everybody may pull: if Docker Hub does not answer, the registry is its
-            mirror, and Docker pulls the images that somebody runs from it.
+    Only pushes need the password: if Docker Hub does not answer, the registry is its mirror, and everybody pulls from it.
     """
     content = {
         "version": 0.1,
@@ -39,9 +37,7 @@ def config(storage: Path, port: int, password: Path) -> str:
         "storage": {
             "filesystem": {"rootdirectory": str(storage)},
             "delete": {"enabled": True},
-            "maintenance": {
-                "uploadpurging": {"enabled": True, "age": "24h", "interval": "6h", "dryrun": False},
-            },
+            "maintenance": {"uploadpurging": {"enabled": True, "age": "24h", "interval": "6h", "dryrun": False}},
         },
         "http": {"addr": f"127.0.0.1:{port}"},
         "auth": {"writers": {"path": str(password)}},
@@ -50,8 +46,7 @@ def config(storage: Path, port: int, password: Path) -> str:
 
 
 def daemon(state: State) -> Daemon:
-    """The registry, without REGISTRY_* variables, which would change its configuration, and without a search for a trace
-    collector."""
+    """The registry, without REGISTRY_* variables, which would change its configuration, and without trace collection."""
     env = {name: value for name, value in os.environ.items() if not name.startswith(("REGISTRY_", "OTEL_"))}
     env["OTEL_TRACES_EXPORTER"] = "none"
     file = state.run / "registry.yaml"
@@ -59,7 +54,6 @@ def daemon(state: State) -> Daemon:
 
 
 def last_port(state: State) -> int | None:
-    """The port of the last run; None if there was none."""
     try:
         return int(untrusted.json_value((state.run / "registry.yaml").read_bytes())["http"]["addr"].rpartition(":")[2])
     except (OSError, ValueError, KeyError, TypeError, AttributeError):  # never run, or damaged
@@ -67,11 +61,7 @@ def last_port(state: State) -> int | None:
 
 
 def up(state: State) -> str:
-    """Makes sure that the registry runs and answers. Returns its address. Keeps the port while that is free.
-
-    Raises:
-        RosmlError: it does not start; the message has the end of its log.
-    """
+    """Makes sure that the registry runs and answers. Returns its address. Keeps the port while that is free."""
     registry, port, say = daemon(state), last_port(state), state.say
     if port:
         _write(state, port)
@@ -102,20 +92,21 @@ def _write(state: State, port: int) -> None:
     auth = base64.b64encode(f"{USER}:{password(state)}".encode()).decode()
     files.write(daemon(state).config, config(state.folder / "registry", port, state.run / PASSWORD))
     (state.folder / credentials.OWN).parent.mkdir(exist_ok=True)
-    write_private(state.folder / credentials.OWN, json.dumps({"auths": {f"127.0.0.1:{port}": {"auth": auth}}}) + "\n")
+    _write_private(state.folder / credentials.OWN, json.dumps({"auths": {f"127.0.0.1:{port}": {"auth": auth}}}) + "\n")
 
 
 def password(state: State) -> str:
     """The password for pushes to the registry. Build steps never get it."""
     file = state.run / PASSWORD
-    found = file.read_text().strip() if file.exists() else ""
-    if not found:
-        found = secrets.token_urlsafe(24)
-        write_private(file, f"{found}\n")
-    return found
+    stored_password = file.read_text().strip() if file.exists() else ""
+    if stored_password:
+        return stored_password
+    new_password = secrets.token_urlsafe(24)
+    _write_private(file, f"{new_password}\n")
+    return new_password
 
 
-def write_private(file: Path, text: str) -> None:
+def _write_private(file: Path, text: str) -> None:
     """Writes a file that only this user may read."""
     file.touch(mode=0o600)
     file.chmod(0o600)
@@ -123,5 +114,4 @@ def write_private(file: Path, text: str) -> None:
 
 
 def _settled(registry: Daemon, port: int) -> bool:
-    """Whether a registry has answered or ended after its start."""
     return not registry.pid() or network.registry_answers(f"127.0.0.1:{port}")

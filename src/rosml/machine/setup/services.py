@@ -15,22 +15,15 @@ from rosml.machine.setup.installer import GO_PROGRAMS
 from rosml.machine.setup.state import State
 
 
-def up(state: State, found: Services) -> None:
-    """Starts the registry and the builder unless they run, and writes services.json.
-
-    Args:
-        found: the tools with which they run.
-
-    Raises:
-        RosmlError: one of them does not start.
-    """
-    services = replace(found, registry=registry.up(state))
+def up(state: State, tools_of_machine: Services) -> None:
+    """Starts the registry and the builder with these tools unless they run, and writes services.json."""
+    services = replace(tools_of_machine, registry=registry.up(state))
     builder.up(state, services, tools.buildkit_image(state))
     services.save()
 
 
 def down(state: State, remove: bool = False) -> list[str]:
-    """Stops both. Returns the stopped services. ``remove``: also removes the container and the volume of a builder in Docker."""
+    """Stops both. Returns the stopped services. `remove`: also the container and the volume of a builder in Docker."""
     stopped: list[str] = []
     services = written(state)
     if services and services.builder_kind == "docker":
@@ -55,7 +48,6 @@ def written(state: State) -> Services | None:
 
 
 def status(state: State) -> dict[str, Any]:
-    """The running services, their tools, and the free disk space."""
     services = written(state) or Services.load(state.root, required=False)
     return {
         "state": str(state.folder),

@@ -14,7 +14,7 @@ from rosml import user_cache
 from rosml.base.errors import RosmlError
 
 LONGEST_SOCKET_PATH = 107
-"""The most bytes of a unix socket's path in Linux' ``sockaddr_un``: 108, one of them the closing zero."""
+"""Bytes of a unix socket's path in Linux' ``sockaddr_un``: 108, one of them the closing zero."""
 
 
 @dataclass(frozen=True)
@@ -22,9 +22,7 @@ class State:
     """The paths of a checkout's state, and facts from scripts/bootstrap.py.
 
     Attributes:
-        root: the checkout.
         say: gets messages, a line each.
-        uv: the path of uv.
         ca_bundle: the user's own certificates; empty if the system's count.
         cache: what all checkouts of this user may take from one another.
     """
@@ -64,11 +62,7 @@ class State:
         return path if plain and len(os.fsencode(path)) <= LONGEST_SOCKET_PATH else self.short_run / name
 
     def prepare_socket(self, path: Path) -> None:
-        """Makes a socket's folder. Under /tmp, it is this user's own, and closed to others.
-
-        Raises:
-            RosmlError: another user owns a folder of that name.
-        """
+        """Makes a socket's folder. Under /tmp, it is this user's own, and closed to others."""
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         if path.parent == self.short_run:
             facts = path.parent.lstat()

@@ -24,7 +24,6 @@ from rosml.machine.setup.installer import which_system
 from rosml.machine.setup.process import output_of
 
 PLUGINS = ("bridge", "firewall", "host-local", "loopback")
-"""The plugins of BuildKit's bridge mode."""
 FOLDERS = ("/usr/lib/cni", "/opt/cni/bin", "/usr/libexec/cni")
 """The folders of plugins on different systems."""
 POOL = 4
@@ -37,9 +36,11 @@ RULES = (
     ("filter", "FORWARD", "-d 169.254.0.0/16 -p udp ! --dport 53 -j REJECT"),
     ("mangle", "FORWARD", "-p tcp --tcp-flags SYN,RST SYN -j TCPMSS --clamp-mss-to-pmtu"),
 )
-"""Table, chain and rule for packets from a bridge: they do not reach the machine itself, nor a service that a cloud gives to this machine
-alone, apart from its name server. They are no larger than the machine's own network allows, whose limit may be below a bridge's 1500
-bytes."""
+"""Table, chain and rule for packets from a bridge.
+
+They do not reach the machine itself, nor a service that a cloud gives to this machine alone, apart from its name server. They are no
+larger than the machine's own network allows, whose limit may be below a bridge's 1500 bytes.
+"""
 RESOLVED = "127.0.0.53"
 """The address of systemd-resolved. BuildKit asks that one's servers instead."""
 RESOLV = ("/etc/resolv.conf", "/run/systemd/resolve/resolv.conf")
@@ -70,20 +71,11 @@ exit 1
 """
 """The same with busybox, as BuildKit's image has no Python. "can't find" is an answer."""
 
-IMAGE_PROGRAMS = (
-    *(f"buildkit-cni-{name}" for name in PLUGINS),
-    "ip",
-    "iptables",
-    "iptables-save",
-    "nsenter",
-    "nslookup",
-)
-"""Programs that BuildKit's image must have."""
+IMAGE_PROGRAMS = (*(f"buildkit-cni-{x}" for x in PLUGINS), "ip", "iptables", "iptables-save", "nsenter", "nslookup")
 LACKING = """
 for program; do command -v "$program" >/dev/null || echo "$program"; done
 echo .
 """
-"""Prints the missing programs, and a full stop."""
 IMAGE_CONFIG = "/etc/buildkit/buildkitd.toml"
 """The path to which buildx copies the configuration."""
 IMAGE_NAMESPACES = "/var/lib/buildkit/net/cni"
@@ -91,7 +83,7 @@ IMAGE_NAMESPACES = "/var/lib/buildkit/net/cni"
 
 @dataclass(frozen=True)
 class Bridge:
-    """The bridge of a checkout. ``plugins``: their folder; None for those of BuildKit's image."""
+    """The bridge of a checkout. `plugins`: their folder; None for those of BuildKit's image."""
 
     name: str
     subnet: str
@@ -107,7 +99,6 @@ class Bridge:
 
     @classmethod
     def parse(cls, text: str) -> Bridge | None:
-        """The bridge in the text of a buildkitd.toml."""
         try:
             facts = tomllib.loads(text)["worker"]["oci"]
             folder = facts.get("cniBinaryPath")
@@ -131,30 +122,24 @@ class Place:
     """The place of a buildkitd.
 
     Attributes:
-        at: the words before a command that runs there, in the machine's network; empty on this machine.
+        prefix: the words before a command that runs there, in the machine's network; empty on this machine.
         namespaces: the folder of its namespaces, as such a command sees it.
-        asking: a command that gets name servers, and ends with 0 if one of them answers.
+        dns_probe: a command that gets name servers, and ends with 0 if one of them answers.
     """
 
-    at: tuple[str, ...]
+    prefix: tuple[str, ...]
     namespaces: str
-    asking: tuple[str, ...]
+    dns_probe: tuple[str, ...]
 
     @classmethod
     def here(cls, buildkitd: int, namespaces: Path) -> Place:
-        """This machine. ``buildkitd``: its process, whose mounts have the namespaces."""
+        """This machine. The mounts of the process `buildkitd` have the namespaces."""
         return cls((), f"/proc/{buildkitd}/root{namespaces}", (sys.executable, "-I", "-c", ASK))
 
 
 @dataclass(frozen=True)
 class Container:
-    """The container of a builder in Docker, on the network of Docker's machine.
-
-    Attributes:
-        docker: the client's command, with the address of the daemon.
-        name: the container's name.
-        image: BuildKit's image.
-    """
+    """The container of a builder in Docker, on the network of Docker's machine. `docker` is the client's command for that daemon."""
 
     docker: tuple[str, ...]
     name: str
@@ -177,19 +162,8 @@ class Container:
 
     def beside(self, *options: str) -> tuple[str, ...]:
         """The words before a command that runs in another container with the same rights, for as long as the command."""
-        fixed = (
-            "--rm",
-            "--privileged",
-            "--userns",
-            "host",
-            "--network",
-            "host",
-            "--pull",
-            "never",
-            "--entrypoint",
-            "env",
-        )
-        return (*self.docker, "run", *fixed, *options, self.image)
+        rights = ("--rm", "--privileged", "--userns=host", "--network=host", "--pull=never", "--entrypoint=env")
+        return (*self.docker, "run", *rights, *options, self.image)
 
     def place(self) -> Place:
         """The place of its buildkitd, which may have mounts that the container itself does not see."""
@@ -202,7 +176,7 @@ class Container:
         return Bridge.parse(output_of([*self.inside(), "cat", IMAGE_CONFIG]))
 
     def bridge(self, root: Path) -> Bridge | str:
-        """The bridge that it has or can get, or the reason why not. ``root``: the checkout."""
+        """The bridge that it has or can get, or the reason why not."""
         *lacking, end = output_of([*self.inside(), "sh", "-c", LACKING, "sh", *IMAGE_PROGRAMS]).split() or [""]
         if not end:
             return "as docker cannot enter its container"
@@ -211,19 +185,19 @@ class Container:
         self._show_name_servers()
         if not nameservers(self.inside()):
             return "as its name server answers on loopback alone"
-        found = self.running() or Bridge(bridge_name(root), "")
-        taken = _routes(found.name, self.inside())
-        if found.subnet and not any(ipaddress.IPv4Network(found.subnet).overlaps(x) for x in taken):
-            return found
-        return Bridge(found.name, _subnet(found.name, taken))
+        current = self.running() or Bridge(_bridge_name(root), "")
+        routes = _routes(current.name, self.inside())
+        if current.subnet and not any(ipaddress.IPv4Network(current.subnet).overlaps(route) for route in routes):
+            return current
+        return Bridge(current.name, _subnet(current.name, routes))
 
     def _show_name_servers(self) -> None:
         """Writes the servers of systemd-resolved to the file that BuildKit reads: a container does not have it."""
         if nameservers(self.inside(), RESOLV[:1], loopback=True) == [RESOLVED]:
             file = RESOLV[1]
-            shown = output_of([*self.beside("--mount", f"type=bind,src={file},dst={file},readonly"), "cat", file])
-            if shown:
-                _succeeds(*self.inside(), "sh", "-c", 'mkdir -p "${0%/*}" && printf %s "$1" >"$0"', file, shown)
+            text = output_of([*self.beside("--mount", f"type=bind,src={file},dst={file},readonly"), "cat", file])
+            if text:
+                _succeeds(*self.inside(), "sh", "-c", 'mkdir -p "${0%/*}" && printf %s "$1" >"$0"', file, text)
 
 
 def plugins() -> Path | None:
@@ -249,131 +223,126 @@ def bridge(root: Path) -> Bridge | str:
         return "as its name server answers on loopback alone"
     folder = plugins()
     assert folder
-    name = bridge_name(root)
+    name = _bridge_name(root)
     return Bridge(name, _subnet(name, _routes(name)), folder)
 
 
-def bridge_name(root: Path) -> str:
-    """The name of a checkout's bridge; Linux takes 15 bytes."""
+def _bridge_name(root: Path) -> str:
+    """Linux takes 15 bytes."""
     return f"rosml{hashlib.sha256(os.fsencode(root)).hexdigest()[:8]}"
 
 
-def _subnet(name: str, taken: Sequence[ipaddress.IPv4Network]) -> str:
+def _subnet(name: str, routes: Sequence[ipaddress.IPv4Network]) -> str:
     """A subnet of 172.20.0.0/14 that overlaps with no other. A name decides which is tried first."""
     candidates = [*ipaddress.IPv4Network("172.20.0.0/14").subnets(new_prefix=24)]
     first = int(hashlib.sha256(name.encode()).hexdigest(), 16) % len(candidates)
-    free = (net for net in candidates[first:] + candidates[:first] if not any(net.overlaps(x) for x in taken))
+    free = (net for net in candidates[first:] + candidates[:first] if not any(net.overlaps(x) for x in routes))
     return str(next(free, candidates[first]))
 
 
-def _routes(but: str, at: Sequence[str] = ()) -> list[ipaddress.IPv4Network]:
+def _routes(except_device: str, prefix: Sequence[str] = ()) -> list[ipaddress.IPv4Network]:
     """Networks to which a machine has routes, except by one device; without the default route."""
-    found = []
-    for line in _text(at, "/proc/net/route").splitlines()[1:]:
-        device, destination, *_others = fields = line.split()
-        if device != but and int(destination, 16):
+    networks = []
+    for line in _text(prefix, "/proc/net/route").splitlines()[1:]:
+        fields = line.split()
+        if fields[0] != except_device and int(fields[1], 16):
             address, mask = (ipaddress.IPv4Address(bytes.fromhex(fields[n])[::-1]) for n in (1, 7))
-            found.append(ipaddress.IPv4Network(f"{address}/{mask}"))
-    return found
+            networks.append(ipaddress.IPv4Network(f"{address}/{mask}"))
+    return networks
 
 
-def nameservers(at: Sequence[str] = (), files: Sequence[str] = RESOLV, loopback: bool = False) -> list[str]:
+def nameservers(prefix: Sequence[str] = (), files: Sequence[str] = RESOLV, loopback: bool = False) -> list[str]:
     """The name servers of steps with their own network: those of the machine, without loopback."""
-    found: list[str] = []
+    servers: list[str] = []
     for file in files:
         with suppress(OSError):
-            words = [line.split() for line in _text(at, file).splitlines()]
-            found = [word[1] for word in words if len(word) > 1 and word[0] == "nameserver"]
-        if found != [RESOLVED]:
+            lines = [line.split() for line in _text(prefix, file).splitlines()]
+            servers = [words[1] for words in lines if len(words) > 1 and words[0] == "nameserver"]
+        if servers != [RESOLVED]:
             break
-    return [name for name in found if loopback or not (name.startswith("127.") or name == "::1")]
+    return [server for server in servers if loopback or not (server.startswith("127.") or server == "::1")]
 
 
-def _text(at: Sequence[str], file: str) -> str:
+def _text(prefix: Sequence[str], file: str) -> str:
     """The text of a file, here or at a command's place."""
-    return output_of([*at, "cat", file]) if at else Path(file).read_text(errors="replace")
+    return output_of([*prefix, "cat", file]) if prefix else Path(file).read_text(errors="replace")
 
 
-def enclose(found: Bridge, place: Place, known: bool = True) -> str:
+def enclose(bridge: Bridge, place: Place, proven: bool = True) -> str:
     """Closes the machine's own addresses to steps, and checks that they reach others. You may call it again.
 
     Args:
-        known: steps had that network before. Otherwise a name server must answer them: if the machine itself reaches none, we cannot
+        proven: steps had that network before. Otherwise a name server must answer them: if the machine itself reaches none, we cannot
             tell whether one would.
 
     Returns:
         Why steps cannot have such a network; empty if they can.
     """
     for table, chain, rule in RULES:
-        words = [chain, "-i", found.name, *rule.split()]
-        if not _iptables(place.at, "-t", table, "-C", *words) and not _iptables(place.at, "-t", table, "-I", *words):
+        iptables = [*place.prefix, _program(place.prefix, "iptables"), "-w", "5", "-t", table]
+        words = [chain, "-i", bridge.name, *rule.split()]
+        if not _succeeds(*iptables, "-C", *words) and not _succeeds(*iptables, "-I", *words):
             return "as iptables refuses a rule"
     # The subnet is of IPv4. Through a link's own IPv6 address steps could still reach the machine. Some have no IPv6.
-    switch = f"/proc/sys/net/ipv6/conf/{found.name}/disable_ipv6"
-    if not _succeeds(*place.at, "sh", "-c", '[ ! -e "$0" ] || echo 1 >"$0"', switch):
+    switch = f"/proc/sys/net/ipv6/conf/{bridge.name}/disable_ipv6"
+    if not _succeeds(*place.prefix, "sh", "-c", '[ ! -e "$0" ] || echo 1 >"$0"', switch):
         return "as IPv6 cannot be turned off for it"
     names: list[str] = []
 
     def listed() -> bool:
-        names[:] = output_of([*place.at, "ls", place.namespaces]).split()
+        names[:] = output_of([*place.prefix, "ls", place.namespaces]).split()
         return bool(names)
 
     if not wait_until(listed, 5.0):
         return "as buildkitd has no namespace for them"
-    asking = [*place.asking, *nameservers(place.at)]
-    there = _succeeds(*place.at, *asking)
-    if (there or not known) and not any(
-        _succeeds(*place.at, "nsenter", f"--net={place.namespaces}/{name}", *asking) for name in names
-    ):
+    dns_probe = [*place.dns_probe, *nameservers(place.prefix)]
+    if proven and not _succeeds(*place.prefix, *dns_probe):
+        return ""
+    entering = [(*place.prefix, "nsenter", f"--net={place.namespaces}/{name}") for name in names]
+    if not any(_succeeds(*words, *dns_probe) for words in entering):
         return "as they reach no name server from one of their own"
     return ""
 
 
-def tidy(left: Bridge, at: Sequence[str] = ()) -> None:
+def tidy(bridge: Bridge, prefix: Sequence[str] = ()) -> None:
     """Removes the remains of a stopped buildkitd: the bridge, and rules and addresses if it was killed.
 
     Args:
-        at: the words before a command that runs on Docker's machine; empty for this machine.
+        prefix: the words before a command that runs on Docker's machine; empty for this machine.
     """
-    subnet = ipaddress.IPv4Network(left.subnet)
+    subnet = ipaddress.IPv4Network(bridge.subnet)
     commands, table = [], ""
-    for line in output_of([*at, _program(at, "iptables-save")]).splitlines():
+    for line in output_of([*prefix, _program(prefix, "iptables-save")]).splitlines():
         if line.startswith("*"):
             table = line[1:]
         words = shlex.split(line) if line.startswith("-A ") else []
-        if words and (left.name in words or any(_within(word, subnet) for word in words)):
-            iptables = [_program(at, "iptables"), "-w", "5", "-t", table]
+        if words and (bridge.name in words or any(_within(word, subnet) for word in words)):
+            iptables = [_program(prefix, "iptables"), "-w", "5", "-t", table]
             commands.append([*iptables, "-D", *words[1:]])
             if words[1] == "POSTROUTING":  # it has a chain of the namespace as its target
                 commands += [[*iptables, "-F", words[-1]], [*iptables, "-X", words[-1]]]
-    if at or Path(f"/sys/class/net/{left.name}").exists():
-        commands.append([_program(at, "ip"), "link", "delete", left.name])
+    if prefix or Path(f"/sys/class/net/{bridge.name}").exists():
+        commands.append([_program(prefix, "ip"), "link", "delete", bridge.name])
     if commands:
-        output_of([*at, "sh", "-c", "; ".join(shlex.join(command) for command in commands)], 60.0)
-    for file in ADDRESSES.glob("*") if not at else ():
+        output_of([*prefix, "sh", "-c", "; ".join(shlex.join(command) for command in commands)], 60.0)
+    for file in ADDRESSES.glob("*") if not prefix else ():
         if _within(file.name, subnet):
             file.unlink(missing_ok=True)
 
 
 def _within(text: str, subnet: ipaddress.IPv4Network) -> bool:
-    """Whether a text is an address or a subnet within a subnet."""
     try:
         return ipaddress.IPv4Network(text).subnet_of(subnet)
     except ValueError:
         return False
 
 
-def _program(at: Sequence[str], name: str) -> str:
-    """The path or the name of a system program, which may be missing on PATH here."""
-    return name if at else which_system(name) or name
-
-
-def _iptables(at: Sequence[str], *arguments: str) -> bool:
-    return _succeeds(*at, _program(at, "iptables"), "-w", "5", *arguments)
+def _program(prefix: Sequence[str], name: str) -> str:
+    """The name of a system program there; its path on this machine, whose PATH may lack it."""
+    return name if prefix else which_system(name) or name
 
 
 def _succeeds(*argv: str) -> bool:
-    """Whether a short command succeeds."""
     try:
         done = subprocess.run(argv, stdin=subprocess.DEVNULL, capture_output=True, timeout=20, check=False)
     except (OSError, subprocess.TimeoutExpired):

@@ -20,21 +20,13 @@ UNUSED_SECONDS = 60 * 86_400
 class ToolCache:
     """A folder with a file for each program: `regctl-v0.11.7-0123456789abcdef-x86_64`.
 
-    The name has the version, the digest of all pins, and the machine's architecture. A failure to read or write loses time alone.
-
-    Attributes:
-        folder: only files and folders that belong to this user or to root, and that nobody else may write to, count.
+    The name has the version, the digest of all pins, and the machine's architecture. Only files and folders count that belong to this user
+    or to root, and that nobody else may write to. A failure to read or write loses time alone.
     """
 
     folder: Path
 
     def has(self, name: str, pins: str) -> bool:
-        """Whether a program with these pins is there.
-
-        Args:
-            name: of the program.
-            pins: its version and the digest of its pins.
-        """
         path = self._path(name, pins)
         try:
             facts = path.lstat()
@@ -45,7 +37,6 @@ class ToolCache:
 
     @property
     def _is_ours(self) -> bool:
-        """Whether it is a folder, and no link, to which nobody else may write."""
         try:
             facts = self.folder.lstat()
         except OSError:
@@ -79,15 +70,14 @@ class ToolCache:
         except OSError:
             with suppress(OSError):
                 partial.unlink()
-        for old in self._unused():
+        for path in self._unused():
             with suppress(OSError):
-                old.unlink()
+                path.unlink()
 
     def _path(self, name: str, pins: str) -> Path:
         return self.folder / "-".join((name, *pins.split(), os.uname().machine))
 
     def _unused(self) -> Iterator[Path]:
-        """Programs, and files of interrupted calls, that nobody has taken for a long time."""
         with suppress(OSError):
             for path in sorted(self.folder.iterdir()):
                 if _NAME.fullmatch(path.name) and path.lstat().st_mtime < time.time() - UNUSED_SECONDS:

@@ -55,11 +55,7 @@ def buildx_of(installer: Installer) -> tuple[str, ...]:
 
 
 def choose_builder(installer: Installer, hub: bool) -> tuple[str, str]:
-    """The kind and the name of the builder: the one that BUILDX_BUILDER names, one in Docker, or our own buildkitd.
-
-    Raises:
-        RosmlError: there is no Docker, and this user may not run buildkitd.
-    """
+    """The kind and the name of the builder: the one that BUILDX_BUILDER names, one in Docker, or our own buildkitd."""
     name = os.environ.get("BUILDX_BUILDER", "")
     if name and name != BUILDER:
         return "user", name
@@ -68,14 +64,10 @@ def choose_builder(installer: Installer, hub: bool) -> tuple[str, str]:
     if os.geteuid() != 0:
         if docker_is_there(installer):
             image = buildkit_image(installer.state)
-            raise RosmlError(
-                f"Docker Hub does not answer, and Docker has no {image}, which it needs to build",
-                f"call it again when Docker Hub answers, or: docker pull {image}",
-            )
-        raise RosmlError(
-            "no Docker daemon answers, and without one the builder needs root",
-            "start Docker (or get access to it), or call this as root",
-        )
+            text = f"Docker Hub does not answer, and Docker has no {image}, which it needs to build"
+            raise RosmlError(text, f"call it again when Docker Hub answers, or: docker pull {image}")
+        text = "no Docker daemon answers, and without one the builder needs root"
+        raise RosmlError(text, "start Docker (or get access to it), or call this as root")
     return "buildkitd", BUILDER
 
 
@@ -99,26 +91,21 @@ def _debian_packages(installer: Installer, packages: dict[str, str], kind: str) 
 
 def engine_packages(installer: Installer) -> dict[str, str]:
     """Docker, if no daemon answers and none can be started."""
-    there = docker_is_there(installer) or which_system("dockerd")
-    return {} if there else {"docker.io": "runs images for the tests of the runtime contract"}
+    if docker_is_there(installer) or which_system("dockerd"):
+        return {}
+    return {"docker.io": "runs images for the tests of the runtime contract"}
 
 
 def browser_packages() -> dict[str, str]:
-    """Chromium, if there is no browser of its kind."""
-    there = any(which_system(name) for name in BROWSERS)
-    return {} if there else {"chromium": "opens the catalogue's page in its tests"}
+    if any(which_system(name) for name in BROWSERS):
+        return {}
+    return {"chromium": "opens the catalogue's page in its tests"}
 
 
 def install(state: State, hub: bool, tests: bool = False) -> Services:
-    """Finds or installs all tools of the services and builds; with ``tests`` also those of `make test`.
+    """Finds or installs all tools of the services and builds; with `tests` also those of `make test`.
 
-    apt mostly waits for the network, so it runs beside Go's compiler.
-
-    Args:
-        hub: whether Docker Hub answers.
-
-    Returns:
-        The services with these tools, without a registry, which is not started here.
+    The services in the result have no registry, which is not started here.
     """
     installer = Installer(state)
     kind, builder = choose_builder(installer, hub)
@@ -127,19 +114,22 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
         packages = {**packages, **engine_packages(installer), **browser_packages()}
     if packages:
         installer.apt(packages)  # fails now if it may not, not after minutes of compiling
-    regctl = not tests or installer.found("regctl", "version", OLDEST_REGCTL)
     buildx = buildx_of(installer)
-    linter = not tests or installer.found("actionlint", "--version")
-    there = {"regctl": regctl, "buildx": buildx, "actionlint": linter, "registry": "", "buildkitd": kind != "buildkitd"}
-    there["composecheck"] = not tests
-    wanted = [name for name, found in there.items() if not found]
-    with ThreadPoolExecutor(1) as pool, installer.fetching(wanted):
-        others = pool.submit(_debian_packages, installer, packages, kind)
-        for name in wanted:
-            if others.done():
-                others.result()  # raises its failure now
+    programs = ["registry"]
+    programs += [] if buildx else ["buildx"]
+    programs += ["buildkitd"] if kind == "buildkitd" else []
+    if tests:
+        programs += ["composecheck"]
+        programs += [] if installer.on_path("regctl", "version", OLDEST_REGCTL) else ["regctl"]
+        programs += [] if installer.on_path("actionlint", "--version") else ["actionlint"]
+    # apt mostly waits for the network, so it runs beside Go's compiler.
+    with ThreadPoolExecutor(1) as pool, installer.fetching(programs):
+        apt = pool.submit(_debian_packages, installer, packages, kind)
+        for name in programs:
+            if apt.done():
+                apt.result()  # raises its failure now
             installer.go_program(name)
-        others.result()
+        apt.result()
     installer.drop_go_caches()
     installer.report()
     return Services(
