@@ -43,8 +43,7 @@ COMMANDS = {
     **dict.fromkeys(("suite", "browser"), "page"),
     **dict.fromkeys(("down", "status", "clean"), ""),
 }
-"""The commands of `rosml setup`, and the group of packages that each needs; None if the present ones are enough. `python` only
-installs packages."""
+"""The commands of `rosml setup`, and the group of packages that each needs; empty if the installed ones are enough."""
 
 EPILOG = """\
 Options and environment variables are those of `rosml setup`. `python` only installs uv and Python packages.
@@ -56,7 +55,6 @@ Examples:
 
 
 UNREACHED = "check the network and proxies (HTTPS_PROXY); a company's certificates go into ROSML_CA_BUNDLE; docs/registry/networks.md has more"
-"""The remedy if packages cannot be fetched."""
 
 
 class Failure(Exception):
@@ -64,7 +62,6 @@ class Failure(Exception):
 
 
 def say(text: str) -> None:
-    """Prints a line without buffering."""
     print(text, flush=True)
 
 
@@ -80,26 +77,22 @@ def output_of(*argv: str) -> str | None:
 @contextmanager
 def interruptions_held() -> Iterator[None]:
     """Lets Ctrl-C and SIGTERM wait until the block is done. What the block starts gets them at once."""
-    held: list[int] = []
-    before = {
-        number: signal.signal(number, lambda seen, _frame: held.append(seen))
-        for number in (signal.SIGINT, signal.SIGTERM)
+    signals: list[int] = []
+    handlers = {
+        kind: signal.signal(kind, lambda number, _frame: signals.append(number))
+        for kind in (signal.SIGINT, signal.SIGTERM)
     }
     try:
         yield
     finally:
-        for number, handler in before.items():
-            signal.signal(number, handler)
-    if held:
+        for kind, handler in handlers.items():
+            signal.signal(kind, handler)
+    if signals:
         raise KeyboardInterrupt
 
 
 def run(what: str, argv: Sequence[str], log: Path, env: Mapping[str, str], remedy: str = "") -> None:
-    """Runs a long command. Its output goes to a log; users see signs of life.
-
-    Raises:
-        Failure: it fails; the message has the end of its log.
-    """
+    """Runs a long command. Its output goes to a log; users see signs of life."""
     started, devnull = time.monotonic(), subprocess.DEVNULL
     with log.open("w") as out:
         process = None
@@ -131,11 +124,7 @@ def write(file: Path, text: str, mode: int = 0o644) -> None:
 
 @contextmanager
 def lock() -> Iterator[None]:
-    """Lets one setup at a time work on this checkout. The process keeps the lock, also if it becomes another program.
-
-    Raises:
-        Failure: .state cannot be written to.
-    """
+    """Lets one setup at a time work on this checkout. The process keeps the lock, also if it becomes another program."""
     try:
         for folder in (BIN, LOG, RUN):
             folder.mkdir(parents=True, exist_ok=True)
@@ -156,16 +145,12 @@ def lock() -> Iterator[None]:
 
 
 def ca_bundle() -> str:
-    """The absolute path of the user's own CA bundle, or empty.
-
-    Raises:
-        Failure: ROSML_CA_BUNDLE, which only this project reads, names no file.
-    """
-    own = os.environ.get("ROSML_CA_BUNDLE", "")
-    if own and not os.path.isfile(own):
-        raise Failure(f"ROSML_CA_BUNDLE={own}: no such file", "set it to a file of PEM certificates, or unset it")
-    others = [os.environ.get(name, "") for name in ("SSL_CERT_FILE", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDLE")]
-    return next((os.path.abspath(path) for path in (own, *others) if os.path.isfile(path)), "")
+    """The absolute path of the user's own CA bundle, or empty."""
+    names = ("ROSML_CA_BUNDLE", "SSL_CERT_FILE", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDLE")
+    paths = [path for path in (os.environ.get(name, "") for name in names) if os.path.isfile(path)]
+    if (path := os.environ.get("ROSML_CA_BUNDLE", "")) and path not in paths:  # only this project reads this variable
+        raise Failure(f"ROSML_CA_BUNDLE={path}: no such file", "set it to a file of PEM certificates, or unset it")
+    return os.path.abspath(paths[0]) if paths else ""
 
 
 def uv_on_path() -> str:
@@ -177,20 +162,16 @@ def uv_on_path() -> str:
     version = [int(part) for part in re.findall(r"\d+", output_of(path, "--version") or "")[:3]]
     if version >= OLDEST_UV:
         return path
-    has, oldest = (".".join(map(str, numbers)) for numbers in (version, OLDEST_UV))
-    say(f"uv: the one on PATH ({path}, v{has or '?'}) is older than v{oldest}: not used")
+    present, oldest = (".".join(map(str, numbers)) for numbers in (version, OLDEST_UV))
+    say(f"uv: the one on PATH ({path}, v{present or '?'}) is older than v{oldest}: not used")
     return ""
 
 
 def pinned_uv() -> str:
-    """The program of the pinned Python package, in `.state/bin`. Installs it if it is missing.
-
-    Raises:
-        Failure: it cannot be installed.
-    """
+    """The program of the pinned Python package, in `.state/bin`. Installs it if it is missing."""
     requirements, program, stamp = ROOT / "tools" / "requirements.txt", BIN / "uv", BIN / ".uv.pin"
-    wanted = requirements.read_text()
-    if program.exists() and stamp.exists() and stamp.read_text() == wanted:
+    pins = requirements.read_text()
+    if program.exists() and stamp.exists() and stamp.read_text() == pins:
         return str(program)
     started, folder, log = time.monotonic(), STATE / "tools", LOG / "install-uv.log"
     env = {**os.environ, "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_NO_INPUT": "1", "DEBIAN_FRONTEND": "noninteractive"}
@@ -208,7 +189,7 @@ def pinned_uv() -> str:
     run("uv", [*pip, "--requirement", str(requirements)], log, env, UNREACHED)
     os.replace(folder / "bin" / "uv", program)
     shutil.rmtree(folder, ignore_errors=True)
-    write(stamp, wanted)
+    write(stamp, pins)
     say(f"uv: installed from its Python package in {time.monotonic() - started:.0f} s")
     return str(program)
 
@@ -216,12 +197,7 @@ def pinned_uv() -> str:
 def packages(uv: str, group: str) -> None:
     """Installs the Python packages of `tools/requirements-<group>.txt` into `.venv`, and removes others.
 
-    Args:
-        group: a group of `GROUPS`. If a larger one is installed, it stays: otherwise a command would remove packages that running
-            tests import.
-
-    Raises:
-        Failure: a package has none of the hashes in the file, or cannot be fetched.
+    A larger group stays: otherwise a command would remove packages that running tests import.
     """
     started, log = time.monotonic(), LOG / "packages.log"
     place = ".venv" if PLACE == ROOT else VENV
@@ -235,16 +211,16 @@ def packages(uv: str, group: str) -> None:
         say(f"Python packages: installing into {place}")
         make = [uv, "venv", "--clear", "--no-project", "--python", f">={OLDEST_PYTHON}", str(VENV)]
         run("Python packages", make, log, env, UNREACHED)
-    known = VENV / "group"
-    before = known.read_text() if known.exists() else ""
-    known.unlink(missing_ok=True)  # if this is interrupted, it is done again
-    group = max(group, before if before in GROUPS else group, key=GROUPS.index)
+    group_file = VENV / "group"
+    installed = group_file.read_text() if group_file.exists() else ""
+    group_file.unlink(missing_ok=True)  # if this is interrupted, it is done again
+    group = max(group, installed if installed in GROUPS else group, key=GROUPS.index)
     # Only wheels: a build would fetch its own requirements, without hashes.
     sync = [uv, "pip", "sync", "--python", str(PYTHON), "--require-hashes", "--no-build"]
     run("Python packages", [*sync, str(ROOT / "tools" / f"requirements-{group}.txt")], log, env, UNREACHED)
     for folder in (VENV / "lib").glob("python3*/site-packages"):
         write(folder / "rosml.pth", f"{SOURCES}\n")  # so that tests and bench import rosml
-    write(known, group)
+    write(group_file, group)
     if fresh:
         say(f"Python packages: installed into {place} in {time.monotonic() - started:.0f} s")
 
@@ -256,10 +232,13 @@ def can_hand_over() -> bool:
 
 
 def hand_over(command: str, *options: str, uv: str = "", come_back: bool = False) -> int:
-    """Becomes `rosml setup COMMAND`, or calls it and returns its exit code. ROSML_UV has the path of uv, and tells that the packages
-    are installed. The variables of a ROS workspace are removed: they would change our Python's imports."""
-    left_out = ("PYTHONPATH", "PYTHONHOME", "PYTHONOPTIMIZE", "PYTHONSAFEPATH")
-    env = {name: value for name, value in os.environ.items() if name not in left_out}
+    """Becomes `rosml setup COMMAND`, or calls it and returns its exit code.
+
+    ROSML_UV has the path of uv, and says that the packages are installed. The variables of a ROS workspace would change our Python's
+    imports, so it removes them.
+    """
+    dropped = ("PYTHONPATH", "PYTHONHOME", "PYTHONOPTIMIZE", "PYTHONSAFEPATH")
+    env = {name: value for name, value in os.environ.items() if name not in dropped}
     env.update(ROSML_UV=uv, ROSML_CA_BUNDLE=ca_bundle())
     argv = [str(PYTHON), str(SOURCES), "setup", command, *options]
     os.chdir(ROOT)
@@ -272,30 +251,26 @@ def stop() -> None:
     """Stops the services of this checkout if the packages for `rosml setup down` are lost."""
     stopped: dict[int, str] = {}
     for kind in (signal.SIGTERM, *[0] * 198, signal.SIGKILL):
-        left = {}
+        running = {}
         for file in Path("/proc").glob("[0-9]*/cmdline"):
             with suppress(FileNotFoundError, ProcessLookupError):  # the process ended meanwhile
                 program = Path(os.fsdecode(file.read_bytes().partition(b"\0")[0]))
                 if program in (BIN / "buildkitd", BIN / "registry"):
-                    left[int(file.parent.name)] = program.name
+                    running[int(file.parent.name)] = program.name
                     os.kill(int(file.parent.name), kind)
-        if not left:
+        if not running:
             break
-        stopped.update(left)
+        stopped.update(running)
         time.sleep(0.1)
     (STATE / "services.json").unlink(missing_ok=True)
     say(f"stopped: {', '.join(sorted(stopped.values()))}" if stopped else "nothing was running")
 
 
 def clean() -> int:
-    """Removes all files of setup.
-
-    Raises:
-        Failure: something is left.
-    """
-    if left := re.findall(rf" ({re.escape(str(STATE))}/\S*) ", Path("/proc/self/mounts").read_text()):
-        raise Failure(f"still mounted: {', '.join(left)}", f"umount --lazy {left[-1]}")
-    byte_code = [found for name in ("src", "scripts", "tests") for found in (ROOT / name).rglob("__pycache__")]
+    """Removes all files of setup."""
+    if mounts := re.findall(rf" ({re.escape(str(STATE))}/\S*) ", Path("/proc/self/mounts").read_text()):
+        raise Failure(f"still mounted: {', '.join(mounts)}", f"umount --lazy {mounts[-1]}")
+    byte_code = [folder for name in ("src", "scripts", "tests") for folder in (ROOT / name).rglob("__pycache__")]
     before = shutil.disk_usage(ROOT).free
     folders = [folder for folder in (STATE, VENV, *byte_code) if folder.exists()]
     for folder in folders:
@@ -310,7 +285,6 @@ def clean() -> int:
 
 
 def work(command: str, options: Sequence[str]) -> int:
-    """Runs a command. Returns its exit code."""
     if command == "status":
         if can_hand_over():
             return hand_over(command, *options)
@@ -341,14 +315,14 @@ def terminate(_number: int, _frame: FrameType | None) -> NoReturn:
 
 
 def main(argv: Sequence[str]) -> int:
-    """Runs the command line. Returns the exit code: 0, 1 (failed), 2 (usage), 130 (interrupted)."""
+    """Returns the exit code: 0, 1 (failed), 2 (usage), 130 (interrupted)."""
     style = argparse.RawDescriptionHelpFormatter
     parser = argparse.ArgumentParser("rosml setup", description=__doc__, epilog=EPILOG, formatter_class=style)
     parser.add_argument("command", choices=COMMANDS, metavar="COMMAND", help=", ".join(COMMANDS))
-    asked, options = parser.parse_known_args(argv)
+    arguments, options = parser.parse_known_args(argv)
     signal.signal(signal.SIGTERM, terminate)
     try:
-        return work(asked.command, options)
+        return work(arguments.command, options)
     except (Failure, OSError) as error:
         message, remedy = error.args if isinstance(error, Failure) else (str(error), "")
         print(f"error: {message}" + (f"\nremedy: {remedy}" if remedy else ""), file=sys.stderr)

@@ -54,25 +54,17 @@ def main(output: Path) -> None:
 
 
 def build(folder: Path) -> None:
-    """Builds the site of a staged folder.
-
-    Raises:
-        RosmlError: a link or an anchor leads nowhere, or a page is not in the navigation.
-    """
+    """Builds the site of a staged folder. It fails if a link or an anchor leads nowhere, or a page is not in the navigation."""
     argv = [sys.executable, "-m", "zensical", "build", "--strict", "--clean", "--config-file", CONFIG]
     done = subprocess.run(argv, cwd=folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False)
-    said = f"{done.stdout}{done.stderr}".partition("Traceback (most recent call last)")[0].strip()
+    messages = f"{done.stdout}{done.stderr}".partition("Traceback (most recent call last)")[0].strip()
     if done.returncode or not (folder / "site/index.html").is_file():
-        raise RosmlError(f"the site cannot be built:\n{said}", "correct the named place; the pages are in docs/")
+        raise RosmlError(f"the site cannot be built:\n{messages}", "correct the named place; the pages are in docs/")
 
 
-def footer(found: dict[str, str]) -> str:
-    """What stands below every page: where to report a problem.
-
-    Args:
-        found: the project's addresses, by name.
-    """
-    links = [f'<a href="{html.escape(address)}">{html.escape(name)}</a>' for name, address in found.items()]
+def footer(project_addresses: dict[str, str]) -> str:
+    """Where to report a problem, below every page: the project's addresses, by name."""
+    links = [f'<a href="{html.escape(address)}">{html.escape(name)}</a>' for name, address in project_addresses.items()]
     return " · ".join(links) or "Report a problem, or ask, in the repository that these pages are from."
 
 

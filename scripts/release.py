@@ -34,41 +34,27 @@ IN_WORK = re.compile(r"^## \S+ \(in work\)$", re.MULTILINE)
 
 
 def run(*argv: str, environment: dict[str, str] | None = None) -> str:
-    """What a command prints.
-
-    Raises:
-        RosmlError: it fails, or is not there.
-    """
+    """The output of a command."""
+    env = {**os.environ, **(environment or {})}
     try:
-        done = subprocess.run(
-            argv, cwd=ROOT, env={**os.environ, **(environment or {})}, capture_output=True, text=True, check=False
-        )
+        done = subprocess.run(argv, cwd=ROOT, env=env, capture_output=True, text=True, check=False)
     except OSError as error:
         raise RosmlError(f"{argv[0]}: {error.strerror}", "install it, or put it on PATH") from None
     if done.returncode:
-        raise RosmlError(
-            f"{' '.join(argv[:3])}: {done.stderr.strip() or done.stdout.strip()}", "correct that, then call it again"
-        )
+        text = f"{' '.join(argv[:3])}: {done.stderr.strip() or done.stdout.strip()}"
+        raise RosmlError(text, "correct that, then call it again")
     return done.stdout.strip()
 
 
 def numbers(version: str) -> tuple[int, ...]:
-    """A version to compare."""
     return tuple(map(int, version.split(".")))
 
 
 def start(version: str) -> None:
-    """Writes, commits and tags a version.
-
-    Raises:
-        RosmlError: it is no new version, the checkout has changes, or the changelog says nothing of it.
-    """
+    """Writes, commits and tags a version."""
     if not re.fullmatch(r"(0|[1-9]\d*)\.(0|[1-9]\d*)\.(0|[1-9]\d*)", version):
-        raise RosmlError(
-            f"{version or 'nothing'} is no version",
-            "name one of three numbers: make release VERSION=0.2.0",
-            exit_code=2,
-        )
+        remedy = "name one of three numbers: make release VERSION=0.2.0"
+        raise RosmlError(f"{version or 'nothing'} is no version", remedy, exit_code=2)
     if run("git", "status", "--porcelain"):
         raise RosmlError("the checkout has changes", "commit them, or remove them")
     tags = re.findall(r"^v(\d+\.\d+\.\d+)$", run("git", "tag", "--list"), re.MULTILINE)
@@ -81,9 +67,8 @@ def start(version: str) -> None:
     day = datetime.now(UTC).date().isoformat()
     CHANGELOG.write_text(IN_WORK.sub(f"## {version} ({day})", changes, count=1), encoding="utf-8")
     code = VERSION_FILE.read_text(encoding="utf-8")
-    VERSION_FILE.write_text(
-        re.sub(r'^__version__ = ".*"$', f'__version__ = "{version}"', code, flags=re.MULTILINE), encoding="utf-8"
-    )
+    code = re.sub(r'^__version__ = ".*"$', f'__version__ = "{version}"', code, flags=re.MULTILINE)
+    VERSION_FILE.write_text(code, encoding="utf-8")
     try:
         run("git", "commit", "--all", "--message", f"Release {version}")
     except RosmlError:
@@ -95,11 +80,7 @@ def start(version: str) -> None:
 
 
 def released() -> str:
-    """The version of this checkout, whose tag is on its commit.
-
-    Raises:
-        RosmlError: the tag is not there, or elsewhere.
-    """
+    """The version of this checkout, whose tag is on its commit."""
     [version] = re.findall(r'^__version__ = "(.*)"$', VERSION_FILE.read_text(encoding="utf-8"), re.MULTILINE)
     if f"v{version}" not in run("git", "tag", "--points-at", "HEAD").split():
         raise RosmlError(f"this commit has no tag v{version}", f"start the release: make release VERSION={version}")
@@ -107,17 +88,12 @@ def released() -> str:
 
 
 def notes(version: str) -> str:
-    """The section of the changelog about a version.
-
-    Raises:
-        RosmlError: there is none.
-    """
-    found = re.search(
-        rf"^## {re.escape(version)} \(.*\)\n(.*?)(?=^## |\Z)", CHANGELOG.read_text("utf-8"), re.MULTILINE | re.DOTALL
-    )
-    if not found:
+    """The section of the changelog about a version."""
+    pattern = rf"^## {re.escape(version)} \(.*\)\n(.*?)(?=^## |\Z)"
+    section = re.search(pattern, CHANGELOG.read_text("utf-8"), re.MULTILINE | re.DOTALL)
+    if not section:
         raise RosmlError(f"CHANGELOG.md says nothing of {version}", "write what is new in it")
-    return found[1].strip() + "\n"
+    return section[1].strip() + "\n"
 
 
 def build() -> None:
@@ -145,18 +121,8 @@ def publish() -> None:
         run("gh", "release", "view", tag)
         run("gh", "release", "upload", tag, *files, "--clobber")
     except RosmlError:
-        run(
-            "gh",
-            "release",
-            "create",
-            tag,
-            *files,
-            "--verify-tag",
-            "--title",
-            f"rosml {version}",
-            "--notes-file",
-            str(OUTPUT / "notes.md"),
-        )
+        options = ["--verify-tag", "--title", f"rosml {version}", "--notes-file", str(OUTPUT / "notes.md")]
+        run("gh", "release", "create", tag, *files, *options)
     commit = run("git", "rev-parse", "HEAD")
     reference = f"repos/{{owner}}/{{repo}}/git/refs/tags/{major}"
     try:
@@ -169,13 +135,18 @@ def publish() -> None:
 
 
 def main(argv: list[str]) -> int:
-    """Runs a step. Returns the exit code: 0, 1 (failed) or 2 (wrong input)."""
+    """Returns the exit code: 0, 1 (failed) or 2 (wrong input)."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("step", choices=("start", "build", "publish"))
     parser.add_argument("version", nargs="?", default="")
-    asked = parser.parse_args(argv)
+    options = parser.parse_args(argv)
     try:
-        start(asked.version) if asked.step == "start" else build() if asked.step == "build" else publish()
+        if options.step == "start":
+            start(options.version)
+        elif options.step == "build":
+            build()
+        else:
+            publish()
     except RosmlError as error:
         print(f"error: {error.message}\nremedy: {error.remedy}", file=sys.stderr)
         return error.exit_code

@@ -36,7 +36,7 @@ def group(project: dict[str, Any], name: str) -> Iterator[str]:
             yield from group(project, item["include-group"])
 
 
-def asked(root: Path) -> dict[str, str]:
+def requirements(root: Path) -> dict[str, str]:
     """The requirements in pyproject.toml for each file, a line each."""
     project = tomllib.loads((root / "pyproject.toml").read_text())
     commands = project["project"]["dependencies"]
@@ -47,35 +47,30 @@ def asked(root: Path) -> dict[str, str]:
 
 
 def path(root: Path, file: str) -> Path:
-    """The path of a file."""
     return root / "tools" / f"requirements-{file}.txt"
 
 
-def header(file: str, wanted: str) -> str:
+def header(file: str, lines: str) -> str:
     """The first lines of a file, with a digest of its requirements."""
-    what = " and ".join(["The commands' Python packages", *(f"the group {name}" for name in FILES[file])])
-    digest = hashlib.sha256(wanted.encode()).hexdigest()
-    return f"# {what}, by hash. Written by: uv run scripts/requirements.py\n# asked for: sha256:{digest}\n"
+    contents = " and ".join(["The commands' Python packages", *(f"the group {name}" for name in FILES[file])])
+    digest = hashlib.sha256(lines.encode()).hexdigest()
+    return f"# {contents}, by hash. Written by: uv run scripts/requirements.py\n# asked for: sha256:{digest}\n"
 
 
 def stale(root: Path) -> list[str]:
     """Files that were not resolved from the present pyproject.toml."""
     return [
         str(path(root, file).relative_to(root))
-        for file, wanted in asked(root).items()
-        if not path(root, file).is_file() or not path(root, file).read_text().startswith(header(file, wanted))
+        for file, lines in requirements(root).items()
+        if not path(root, file).is_file() or not path(root, file).read_text().startswith(header(file, lines))
     ]
 
 
 def resolve(root: Path, upgrade: bool) -> None:
-    """Writes all files, the largest first: the others take its versions.
-
-    Raises:
-        RosmlError: uv is missing, or found no versions that fit.
-    """
-    wanted = asked(root)
+    """Writes all files, the largest first: the others take its versions."""
+    lines = requirements(root)
     python = tomllib.loads((root / "pyproject.toml").read_text())["project"]["requires-python"].removeprefix(">=")
-    for file in sorted(FILES, key=lambda name: -len(wanted[name])):
+    for file in sorted(FILES, key=lambda name: -len(lines[name])):
         target = path(root, file)
         argv = ["uv", "pip", "compile", "-", "--quiet", "--universal", "--python-version", python, "--generate-hashes"]
         argv += ["--no-annotate", "--no-header", "--output-file", str(target)]
@@ -84,12 +79,12 @@ def resolve(root: Path, upgrade: bool) -> None:
         if upgrade:
             argv += ["--upgrade"]
         try:
-            subprocess.run(argv, input=wanted[file], text=True, check=True, capture_output=True)
+            subprocess.run(argv, input=lines[file], text=True, check=True, capture_output=True)
         except FileNotFoundError:
             raise RosmlError("'uv' is not installed", "run 'rosml setup'") from None
         except subprocess.CalledProcessError as error:
             raise RosmlError(f"uv cannot resolve {target.name}:\n{error.stderr.strip()}", "see what uv says") from None
-        target.write_text(header(file, wanted[file]) + target.read_text())
+        target.write_text(header(file, lines[file]) + target.read_text())
 
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
@@ -105,8 +100,8 @@ def main(check: bool, upgrade: bool) -> None:
     """
     if not check:
         resolve(ROOT, upgrade)
-    elif found := stale(ROOT):
-        raise RosmlError(f"not of today's pyproject.toml: {', '.join(found)}", "uv run scripts/requirements.py")
+    elif stale_files := stale(ROOT):
+        raise RosmlError(f"not of today's pyproject.toml: {', '.join(stale_files)}", "uv run scripts/requirements.py")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The command that is asked for a base image where Docker Hub does not answer: see src/rosml/images/builds/base_images.py."""
+"""The command for a base image if Docker Hub does not answer; src/rosml/images/builds/base_images.py calls it."""
 
 from __future__ import annotations
 
@@ -13,12 +13,7 @@ sys.path[:1] = [str(ROOT / "src"), str(ROOT / "tools")]
 from offline.official import missing  # noqa: E402
 
 
-def made(image: str, architecture: str, python: str) -> dict[str, str]:
-    """An image that was made here.
-
-    Raises:
-        RosmlError: it cannot be.
-    """
+def ensure(image: str, architecture: str, python: str) -> dict[str, str]:
     from offline import assembler, debian
     from rosml.machine.services import Services
 
@@ -27,26 +22,25 @@ def made(image: str, architecture: str, python: str) -> dict[str, str]:
 
 
 def main() -> int:
-    """Prints the answer; gives the exit code."""
     parser = argparse.ArgumentParser(prog="tools/offline", description="Gives a base image that the builder can pull.")
     parser.add_argument("image", help="the official one, with its digest")
     parser.add_argument("--architecture", default="", help="amd64 or arm64; the machine's own if nothing is said")
     parser.add_argument("--assembler", default="", metavar="PYTHON", help="something to build parts for a Python on")
     parser.add_argument("--check", action="store_true", help="only say why it cannot be had")
-    said = parser.parse_args()
-    image: str = said.image.partition("@")[0]
-    if said.check:  # asked for every system of a matrix: without the imports that making one needs
+    options = parser.parse_args()
+    image: str = options.image.partition("@")[0]
+    if options.check:  # the call for every system of a matrix, so without the imports for making one
         answer = {"missing": missing(image)}
-    elif not image.startswith("docker.io/"):  # another registry, which is reached for all that is known
-        answer = {"reference": said.image, "python": said.assembler}
+    elif not image.startswith("docker.io/"):  # another registry may answer
+        answer = {"reference": options.image, "python": options.assembler}
     else:
         from rosml.base.errors import RosmlError
 
         try:
-            answer = made(image, said.architecture, said.assembler)
+            answer = ensure(image, options.architecture, options.assembler)
         except RosmlError as error:
             answer = {"error": error.message, "remedy": error.remedy}
-        except KeyboardInterrupt:  # whoever called says so
+        except KeyboardInterrupt:  # the caller reports it
             return 130
     print(json.dumps(answer))
     return int("error" in answer)

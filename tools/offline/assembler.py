@@ -1,4 +1,4 @@
-"""What parts for a Python that no Debian image has are built on: Debian's image, with a Python of this machine."""
+"""An image to build parts on for a Python that no Debian image has: Debian's image, with a Python of this machine."""
 
 from __future__ import annotations
 
@@ -15,46 +15,35 @@ from rosml.images.matrix.model import ANY_PYTHON
 from rosml.machine.services import Services
 
 VERSIONS = "~/.pyenv/versions"
-"""Where this machine may have further Pythons."""
-STAND_IN = "docker.io/library/debian:bookworm"
-"""What takes the place of an image that is not Debian's."""
+"""The folder with further Pythons of this machine."""
+REPLACEMENT = "docker.io/library/debian:bookworm"
 
 
 def ensure(services: Services, image: str, python: str) -> dict[str, str]:
     """The reference of an image to build parts on, and the release of the Python on it.
 
     Args:
-        services: this machine's.
         image: of the operating system that the parts are for.
-        python: such as `3.12`; `any` where none is needed.
-
-    Raises:
-        RosmlError: Debian's image cannot be made, or the Python not added.
+        python: such as `3.12`, or ANY_PYTHON.
     """
     if not missing(image):
         return {**debian.ensure(services, image), "python": python}
-    instead = debian.ensure(services, STAND_IN)
+    replacement = debian.ensure(services, REPLACEMENT)
     version, home = ("", None) if python == ANY_PYTHON else interpreter(python)
     if home is None:
-        return {**instead, "python": ""}
-    return {"reference": with_python(services, instead["reference"], python, home), "python": version}
+        return {**replacement, "python": ""}
+    return {"reference": with_python(services, replacement["reference"], python, home), "python": version}
 
 
 def interpreter(python: str) -> tuple[str, Path | None]:
     """The newest release of a Python that this machine has beside its own, and its folder."""
-    found = sorted(
-        Path(VERSIONS).expanduser().glob(f"{python}.*/bin/python{python}"),
-        key=lambda path: [int(number) for number in path.parts[-3].split(".") if number.isdecimal()],
-    )
-    return (found[-1].parts[-3], found[-1].parent.parent) if found else ("", None)
+    homes = {path.parent.parent for path in Path(VERSIONS).expanduser().glob(f"{python}.*/bin/python{python}")}
+    newest = max(homes, key=lambda home: [int(x) for x in home.name.split(".") if x.isdecimal()], default=None)
+    return (newest.name, newest) if newest else ("", None)
 
 
 def with_python(services: Services, reference: str, python: str, home: Path) -> str:
-    """Debian's base image with a Python of this machine, in the local registry; gives its reference by digest.
-
-    Raises:
-        RosmlError: buildx fails.
-    """
+    """Pushes Debian's base image with a Python of this machine to the local registry. Returns its reference by digest."""
     (services.state / "tmp").mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
         context = Path(folder)
@@ -62,18 +51,25 @@ def with_python(services: Services, reference: str, python: str, home: Path) -> 
         for part in (f"bin/python{python}", f"lib/python{python}", *shared):
             (context / part).parent.mkdir(exist_ok=True)
             if (home / part).is_dir():
-                left_out = shutil.ignore_patterns("test", "tests", "__pycache__", "site-packages", "config-*", "*.a")
-                shutil.copytree(home / part, context / part, ignore=left_out)
+                ignore = shutil.ignore_patterns("test", "tests", "__pycache__", "site-packages", "config-*", "*.a")
+                shutil.copytree(home / part, context / part, ignore=ignore)
             else:
                 shutil.copy(home / part, context / part)
         (context / "Dockerfile").write_text(f"FROM {reference}\nCOPY bin /usr/bin\nCOPY lib /usr/lib\n")
         repository = f"{services.registry}/library/assembler"
-        command = [*services.buildx, "build", "--builder", services.builder, "--metadata-file", str(context / "said")]
+        command = [
+            *services.buildx,
+            "build",
+            "--builder",
+            services.builder,
+            "--metadata-file",
+            str(context / "metadata.json"),
+        ]
         command += ["--output", f"type=image,name={repository},push=true,push-by-digest=true", str(context)]
         done = subprocess.run(
             command, env=services.environment(), stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
         )
         if done.returncode != 0:
             raise RosmlError(f"cannot add Python {python} to {reference}:\n{done.stderr.strip()}", "run 'rosml setup'")
-        digest = json.loads((context / "said").read_text())["containerimage.digest"]
+        digest = json.loads((context / "metadata.json").read_text())["containerimage.digest"]
     return f"{repository}@{digest}"

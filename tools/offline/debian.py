@@ -28,17 +28,17 @@ from rosml.registry.client import Registry
 from rosml.registry.oci import INDEX
 
 EPOCH = 1767225600
-"""Timestamp of files and image (2026-01-01), as everywhere in this project."""
+"""The timestamp of files and image (2026-01-01), as everywhere in this project."""
 MANIFEST = "application/vnd.oci.image.manifest.v1+json"
 CONFIG = "application/vnd.oci.image.config.v1+json"
 LAYER = "application/vnd.oci.image.layer.v1.tar+gzip"
 REPOSITORY = "library/debian"
+BINFMT = Path("/proc/sys/fs/binfmt_misc")
 RECIPE = "io.rosml.recipe"
-"""Annotation that says how an image was made: a change of the recipe makes it anew."""
+"""The annotation with the digest of the recipe: if the recipe changes, the image is made again."""
 TAIL_LINES = 20
 
 FILES = {
-    # What the official image has as well: no service starts in a build, and apt leaves nothing behind.
     "usr/sbin/policy-rc.d": (0o755, "#!/bin/sh\n# Services do not start in an image.\nexit 101\n"),
     "etc/dpkg/dpkg.cfg.d/docker-apt-speedup": (0o644, "force-unsafe-io\n"),
     "etc/apt/apt.conf.d/docker-clean": (
@@ -51,13 +51,12 @@ FILES = {
     "etc/apt/apt.conf.d/docker-gzip-indexes": (0o644, 'Acquire::GzipIndexes "true";\n'),
     "etc/apt/apt.conf.d/docker-autoremove-suggests": (0o644, 'APT::AutoRemove::SuggestsImportant "false";\n'),
 }
-"""Files added to a made image: path to mode and text."""
+"""Files added to a made image: path to mode and text. The official image has them, too."""
 
 MOVING = ("sid", "unstable", "testing")
 """Suites whose list of packages is valid for a week. A mirror may be some weeks old."""
 
 LENIENT = 'Acquire::Check-Valid-Until "false"'
-"""How apt takes such a list all the same."""
 
 REMOVE = (
     "etc/apt/apt.conf.d/99mmdebstrap",
@@ -70,32 +69,29 @@ REMOVE = (
     "var/log/*.log",
     "var/log/apt/*",
 )
-"""Removed from a made image: what tells of this machine or of the day."""
+"""Files of a made image that depend on this machine or on the day."""
 
 APTS = ("var/cache/apt/archives/partial", "var/lib/apt/lists/partial")
-"""Folders of apt's own user, as in the official image. mmdebstrap gives them to it only where that user can enter the folder
-in which the image is made: elsewhere the image would have another digest."""
+"""Folders of apt's own user, as in the official image.
+
+mmdebstrap gives them to it only if that user can enter the folder in which the image is made: elsewhere the image would have another
+digest.
+"""
 
 FOLDERS = ("dev",)
-"""Folders that mmdebstrap leaves out. A builder would make them, and leave the time of day on them."""
+"""Folders that mmdebstrap leaves out. A builder would make them, with the present time."""
 
 
 def ensure(services: Services, image: str, architecture: str = "") -> dict[str, str]:
-    """The reference of a Debian image by its digest and official name, by which the local registry serves it.
+    """The reference of a Debian image, in the local registry, by its digest and official name.
 
     Args:
-        services: this machine's.
         image: such as ``docker.io/library/debian:bookworm``.
         architecture: ``amd64`` or ``arm64``, the machine's own if empty. The image has that one besides: parts are built on it.
-
-    Raises:
-        RosmlError: it is not Debian's, cannot be made for that architecture, or making it fails.
     """
     if reason := missing(image):
-        raise RosmlError(
-            f"{reason}, and only Debian images can be made here",
-            "use a machine that reaches Docker Hub (or set ROSML_DOCKER_HUB=1 if it does), or a target on Debian",
-        )
+        remedy = "use a machine that reaches Docker Hub (or set ROSML_DOCKER_HUB=1 if it does), or a target on Debian"
+        raise RosmlError(f"{reason}, and only Debian images can be made here", remedy)
     suite, native = debian_suite(image), native_architecture()
     if architecture in ("", native):
         return {"reference": f"{image}@{debian(services, suite, native)}"}
@@ -108,16 +104,16 @@ def ensure(services: Services, image: str, architecture: str = "") -> dict[str, 
     members = []
     with Registry(services.registry) as registry:
         for name, digest in zip((native, architecture), digests, strict=True):
-            found = registry.manifest(REPOSITORY, digest)
-            assert found, "it was just pushed"
-            members.append({**found.descriptor, "platform": {"os": "linux", "architecture": name}})
+            manifest = registry.manifest(REPOSITORY, digest)
+            assert manifest, "it was just pushed"
+            members.append({**manifest.descriptor, "platform": {"os": "linux", "architecture": name}})
         content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": members}
         index = registry.put_manifest(REPOSITORY, "", content, INDEX)
     return {"reference": f"{image}@{index}"}
 
 
 def say(line: str) -> None:
-    """Tells people what is going on: standard output is for whoever called."""
+    """Prints progress; standard output is for the answer."""
     print(line, file=sys.stderr, flush=True)
 
 
@@ -127,30 +123,23 @@ def emulated(architecture: str) -> bool:
     return (BINFMT / f"qemu-{machine}").exists()
 
 
-BINFMT = Path("/proc/sys/fs/binfmt_misc")
-"""The kernel's table of interpreters."""
-
-
 def debian(services: Services, suite: str, architecture: str) -> str:
-    """Digest of a Debian image for one architecture; made if it is not there."""
+    """The digest of a Debian image for one architecture, which is made if it is missing."""
     tag = suite if architecture == native_architecture() else f"{suite}-{architecture}"
     folder = services.state / "base"
     folder.mkdir(parents=True, exist_ok=True)
-    with turn(
-        folder / f"{tag}.lock", lambda: say(f"base image debian:{tag}: waiting for another call that makes it")
-    ) as lock:
-        digest = find(services, tag, architecture)
-        return digest or make(services, suite, architecture, folder / tag, lock, tag)
+    waiting = f"base image debian:{tag}: waiting for another call that makes it"
+    with turn(folder / f"{tag}.lock", lambda: say(waiting)) as lock:
+        return find(services, tag, architecture) or make(services, suite, architecture, folder / tag, tag, lock)
 
 
 def added_files(suite: str) -> dict[str, tuple[int, str]]:
-    """The files added to an image of a suite: path to mode and text."""
     lenient = {"etc/apt/apt.conf.d/lenient": (0o644, f"{LENIENT};\n")} if suite in MOVING else {}
     return {**FILES, **lenient}
 
 
 def recipe(tag: str, architecture: str) -> str:
-    """Stands for all that decides how an image is made, apart from the suite's packages."""
+    """The digest of everything that decides how an image is made, apart from the suite's packages."""
     suite = tag.removesuffix(f"-{architecture}")
     call = command(suite if suite in MOVING else "SUITE", architecture, Path("F"), Path("O"))
     text = json.dumps([added_files(suite), FOLDERS, REMOVE, EPOCH, architecture, call])
@@ -158,7 +147,7 @@ def recipe(tag: str, architecture: str) -> str:
 
 
 def find(services: Services, tag: str, architecture: str) -> str:
-    """Digest of the image that an earlier call made by the same recipe and that is still whole; empty otherwise."""
+    """The digest of the image that an earlier call made by the same recipe, if the registry still has all of it."""
     services.require_registry()
     try:
         headers, body = services.get(f"/v2/library/debian/manifests/{tag}", MANIFEST)
@@ -199,27 +188,18 @@ def isolated(argv: list[str]) -> list[str]:
 
 
 def make(
-    services: Services,
-    suite: str,
-    architecture: str,
-    folder: Path,
-    lock: int | None = None,
-    tag: str = "",
+    services: Services, suite: str, architecture: str, folder: Path, tag: str = "", lock: int | None = None
 ) -> str:
-    """Makes a Debian image and pushes it; gives its digest. The tag appears last: an interrupted call leaves none.
+    """Makes a Debian image and pushes it. Returns its digest. The tag comes last: an interrupted call leaves none.
 
     Args:
         folder: for its files; removed at the end.
-        lock: file descriptor of a lock that holds while mmdebstrap runs, even if this process is killed.
         tag: the image's tag in the local registry; the suite if empty.
-
-    Raises:
-        RosmlError: mmdebstrap is missing or fails, or the push does.
+        lock: the file descriptor of a lock that holds while mmdebstrap runs, even if this process is killed.
     """
     if shutil.which("mmdebstrap") is None:
-        raise RosmlError(
-            "mmdebstrap is not installed; it makes base images where Docker Hub does not answer", "run 'rosml setup'"
-        )
+        text = "mmdebstrap is not installed; it makes base images where Docker Hub does not answer"
+        raise RosmlError(text, "run 'rosml setup'")
     tag = tag or suite
     say(f"base image debian:{tag}: making it with mmdebstrap, since Docker Hub does not answer")
     started = time.monotonic()
@@ -233,8 +213,8 @@ def make(
         env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
         run_logged(isolated(command(suite, architecture, folder / "files", tar)), env, log, lock)
         add_folders(tar)
-        digest = write_layout(folder / "layout", tar, tag, architecture)
-        push(services, folder / "layout", tag)
+        digest = write_image(folder / "blobs", tar, tag, architecture)
+        push(services, folder / "blobs", digest, tag)
     except (OSError, tarfile.TarError) as error:
         raise RosmlError(f"base image debian:{tag}: {error}", "check the disk (df), then run it again") from None
     finally:
@@ -243,31 +223,19 @@ def make(
     return digest
 
 
-def run_logged(argv: list[str], env: dict[str, str], log: Path, lock: int | None = None) -> None:
-    """Runs a command with its output in a log.
-
-    Raises:
-        RosmlError: it fails; with the end of the log.
-    """
-    with log.open("wb") as stream:
+def run_logged(argv: list[str], env: dict[str, str], log: Path, lock: int | None) -> None:
+    descriptors = () if lock is None else (lock,)
+    with log.open("wb") as out:
         done = subprocess.run(
-            argv,
-            stdin=subprocess.DEVNULL,
-            stdout=stream,
-            stderr=subprocess.STDOUT,
-            env=env,
-            pass_fds=() if lock is None else (lock,),
-            check=False,
+            argv, stdin=subprocess.DEVNULL, stdout=out, stderr=out, env=env, pass_fds=descriptors, check=False
         )
     if done.returncode != 0:
         end = "\n".join(log.read_text(errors="replace").splitlines()[-TAIL_LINES:])
-        raise RosmlError(
-            f"mmdebstrap failed (exit code {done.returncode}):\n{end}", f"see {log}; check that Debian's mirrors answer"
-        )
+        text = f"mmdebstrap failed (exit code {done.returncode}):\n{end}"
+        raise RosmlError(text, f"see {log}; check that Debian's mirrors answer")
 
 
 def add_folders(tar: Path) -> None:
-    """Adds FOLDERS, empty, to an archive."""
     with tarfile.open(tar, "a") as archive:
         for name in FOLDERS:
             entry = tarfile.TarInfo(f"./{name}")
@@ -276,7 +244,6 @@ def add_folders(tar: Path) -> None:
 
 
 def write_files(folder: Path, files: dict[str, tuple[int, str]]) -> None:
-    """Writes files below a folder, for mmdebstrap to copy in."""
     for name, (mode, text) in files.items():
         path = folder / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -287,46 +254,32 @@ def write_files(folder: Path, files: dict[str, tuple[int, str]]) -> None:
             path.chmod(0o755)
 
 
-def write_layout(layout: Path, tar: Path, tag: str, architecture: str) -> str:
-    """Writes an OCI image layout with one gzip layer; gives the manifest's digest."""
-    blobs = layout / "blobs" / "sha256"
+def write_image(blobs: Path, tar: Path, tag: str, architecture: str) -> str:
+    """Writes the blobs of an image with one gzip layer, by their hashes. Returns the manifest's digest."""
     blobs.mkdir(parents=True)
     diff_id, layer = compress(tar, blobs)
     created = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(EPOCH))
-    config = put(
-        blobs,
-        CONFIG,
-        {
-            "architecture": architecture,
-            "os": "linux",
-            "created": created,
-            "config": {
-                "Env": ["PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"],
-                "Cmd": ["bash"],
-            },
-            "rootfs": {"type": "layers", "diff_ids": [diff_id]},
-            "history": [{"created": created, "created_by": f"mmdebstrap --variant=minbase {tag}"}],
-        },
-    )
-    manifest = put(
-        blobs,
-        MANIFEST,
-        {
-            "schemaVersion": 2,
-            "mediaType": MANIFEST,
-            "config": config,
-            "layers": [layer],
-            "annotations": {RECIPE: recipe(tag, architecture)},
-        },
-    )
-    (layout / "oci-layout").write_text('{"imageLayoutVersion": "1.0.0"}')
-    entry = {**manifest, "annotations": {"org.opencontainers.image.ref.name": tag}}
-    (layout / "index.json").write_text(json.dumps({"schemaVersion": 2, "manifests": [entry]}))
-    return str(manifest["digest"])
+    path = "PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
+    config = {
+        "architecture": architecture,
+        "os": "linux",
+        "created": created,
+        "config": {"Env": [path], "Cmd": ["bash"]},
+        "rootfs": {"type": "layers", "diff_ids": [diff_id]},
+        "history": [{"created": created, "created_by": f"mmdebstrap --variant=minbase {tag}"}],
+    }
+    manifest = {
+        "schemaVersion": 2,
+        "mediaType": MANIFEST,
+        "config": put(blobs, CONFIG, config),
+        "layers": [layer],
+        "annotations": {RECIPE: recipe(tag, architecture)},
+    }
+    return str(put(blobs, MANIFEST, manifest)["digest"])
 
 
 def compress(tar: Path, blobs: Path) -> tuple[str, dict[str, Any]]:
-    """Compresses a layer into the blobs: digest of its content, and its descriptor. No file name, no date in it."""
+    """Compresses a layer into the blobs, without a file name or a date. Returns the digest of its content, and its descriptor."""
     content = hashlib.sha256()
     partial = blobs / "partial"
     with (
@@ -345,24 +298,18 @@ def compress(tar: Path, blobs: Path) -> tuple[str, dict[str, Any]]:
 
 
 def put(blobs: Path, media_type: str, content: dict[str, Any]) -> dict[str, Any]:
-    """Writes a JSON blob; gives its descriptor."""
+    """Writes a JSON blob. Returns its descriptor."""
     data = json.dumps(content, sort_keys=True, separators=(",", ":")).encode()
     digest = hashlib.sha256(data).hexdigest()
     (blobs / digest).write_bytes(data)
     return {"mediaType": media_type, "digest": f"sha256:{digest}", "size": len(data)}
 
 
-def push(services: Services, layout: Path, tag: str) -> None:
-    """Copies a layout into the local registry.
-
-    Raises:
-        RosmlError: the registry does not answer or refuses.
-    """
-    [entry] = json.loads((layout / "index.json").read_text())["manifests"]
-    blobs = layout / "blobs/sha256"
-    manifest = (blobs / entry["digest"].removeprefix("sha256:")).read_bytes()
+def push(services: Services, blobs: Path, digest: str, tag: str) -> None:
+    """Copies an image into the local registry."""
+    manifest = (blobs / digest.removeprefix("sha256:")).read_bytes()
+    content = json.loads(manifest)
     with Registry(services.registry) as registry:
-        content = json.loads(manifest)
         for blob in (content["config"], *content["layers"]):
             registry.put_blob(REPOSITORY, (blobs / blob["digest"].removeprefix("sha256:")).read_bytes())
-        registry.put_manifest(REPOSITORY, tag, manifest, entry["mediaType"])
+        registry.put_manifest(REPOSITORY, tag, manifest, MANIFEST)

@@ -12,7 +12,7 @@ def debian_suite(image: str) -> str:
 
 
 def missing(image: str) -> str:
-    """Why an image cannot be had without Docker Hub; empty where it can: it is elsewhere, or Debian's."""
+    """Why an image is not available without Docker Hub; empty if it is in another registry, or Debian's."""
     if not image.startswith("docker.io/") or debian_suite(image):
         return ""
     return f"{image} is on Docker Hub, which does not answer"

@@ -23,9 +23,9 @@ SETTINGS = {"help_option_names": ["-h", "--help"]}
 
 def _extra_words(command: click.Command) -> str:
     """What to do about words that a command does not take; empty if it has no such option."""
-    known = {option for parameter in command.params for option in parameter.opts}
+    options = {option for parameter in command.params for option in parameter.opts}
     places = {"--only": "names of images stand after --only", "--registry": "a registry stands after --registry"}
-    return ", and ".join(text for option, text in places.items() if option in known)
+    return ", and ".join(text for option, text in places.items() if option in options)
 
 
 _MACHINES = ("--platform", "--architecture", "--arch")
@@ -64,9 +64,9 @@ class Command(click.Command):
         try:
             return super().parse_args(ctx, args)
         except click.NoSuchOption as error:
-            known = {option for parameter in self.params for option in parameter.opts}
-            if error.option_name in _MACHINES and (ours := [name for name in _MACHINES if name in known]):
-                raise click.UsageError(f"{error.message} It is {ours[0]} here.", ctx) from error
+            options = {option for parameter in self.params for option in parameter.opts}
+            if error.option_name in _MACHINES and (same := [name for name in _MACHINES if name in options]):
+                raise click.UsageError(f"{error.message} It is {same[0]} here.", ctx) from error
             raise
         except click.UsageError as error:
             if type(error) is click.UsageError and self.extra:  # the others are about an option or a missing word
@@ -86,7 +86,6 @@ class Group(click.Group):
     """A group of such commands.
 
     Attributes:
-        kept: the message after Ctrl-C, for all of them.
         elsewhere: words that people may try here, and the command for each.
         sections: titles in --help, and the names of the commands below each.
     """
@@ -124,11 +123,10 @@ class Group(click.Group):
         return super().resolve_command(ctx, args)
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Lists the commands in their sections, each with its whole sentence."""
-        found = {name: command for name, command in sorted(self.commands.items()) if not command.hidden}
-        width = max(map(len, found), default=0)
-        for title, names in (self.sections or {"Commands": found}).items():
-            if rows := [(name.ljust(width), sentence(found[name])) for name in names if name in found]:
+        visible = {name: command for name, command in sorted(self.commands.items()) if not command.hidden}
+        width = max(map(len, visible), default=0)
+        for title, names in (self.sections or {"Commands": visible}).items():
+            if rows := [(name.ljust(width), sentence(visible[name])) for name in names if name in visible]:
                 with formatter.section(title):
                     formatter.write_dl(rows)
 
@@ -139,16 +137,15 @@ def sentence(command: click.Command) -> str:
 
 
 def around() -> Path | None:
-    """The nearest folder that looks like a checkout: the current one or one above it; None if there is none. It may be a
-    stranger's, so we only name it."""
+    """The nearest folder that looks like a checkout. It may be a stranger's, so we only name it."""
     try:
         here = Path.cwd()
     except OSError:  # it was removed, or we may not enter it
         return None
-    return next((folder for folder in (here, *here.parents) if _looks_like_one(folder)), None)
+    return next((folder for folder in (here, *here.parents) if _is_checkout(folder)), None)
 
 
-def _looks_like_one(folder: Path) -> bool:
+def _is_checkout(folder: Path) -> bool:
     try:
         return all((folder / name).exists() for name in PARTS)
     except OSError:
@@ -161,31 +158,23 @@ def own_command(folder: Path) -> str:
 
 
 def call(folder: Path | None = None) -> str:
-    """This rosml as somebody calls it in a folder: `rosml` if it is on PATH, `./rosml` in the checkout or the set, else its path.
-
-    Args:
-        folder: the current one if left out.
-    """
+    """This rosml as somebody calls it in a folder: `rosml` if it is on PATH, `./rosml` in the checkout or the set, else its path."""
     if not IN_CHECKOUT:
         return "rosml"
     import shutil  # only needed here
 
     home = MATRIX.parent if MATRIX.name == "set.yaml" else ROOT
-    own = home / "rosml"
+    script = home / "rosml"
     with contextlib.suppress(OSError):  # the current folder may be gone
         if (folder or Path.cwd()).samefile(home):
             return "./rosml"
-        if (found := shutil.which("rosml")) and Path(found).samefile(own):
+        if (program := shutil.which("rosml")) and Path(program).samefile(script):
             return "rosml"
-    return shlex.quote(str(own))
+    return shlex.quote(str(script))
 
 
 def require() -> None:
-    """Requires a checkout.
-
-    Raises:
-        RosmlError: this is the installed `rosml` (exit code 2).
-    """
+    """Refuses the installed `rosml`, with exit code 2."""
     if IN_CHECKOUT:
         return
     if near := around():

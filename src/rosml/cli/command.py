@@ -23,13 +23,11 @@ from rosml.base.problems import InputError
 from rosml.base.terminal import obeying_no_color
 
 INTERRUPTED_TEXT = "interrupted"
-"""The message after Ctrl-C, unless a command has its own."""
 
 INTERRUPTED = 130
 """The exit code after Ctrl-C, as in shells: 128 plus the signal's number."""
 
 ERROR = click.style("error: ", fg="red", bold=True)
-"""The beginning of an error message."""
 
 BROKEN_PIPE = 141
 """The exit code of commands that work if the reader of their output is gone: as if SIGPIPE had ended them."""
@@ -43,12 +41,10 @@ def run(
     reader_gone: int = 0,
     failure: int = 0,
 ) -> int:
-    """Runs a click command.
+    """Runs a click command, by default with this process' own command line.
 
     Args:
-        main: the command.
         interrupted: what to say after Ctrl-C or SIGTERM.
-        arguments: the command line; this process' own by default.
         reader_gone: the exit code if the reader of the output is gone; 0 for commands that only print.
         failure: the exit code of every error; 0 for those below.
 
@@ -57,15 +53,15 @@ def run(
 
     With `--json`, an error is also an object on standard output: `{"error": …, "remedy": …}`.
     """
-    signal.signal(signal.SIGTERM, _terminate)
-    _stand_in_for_closed()
+    signal.signal(signal.SIGTERM, _interrupt)
+    _open_closed_streams()
     for stream in (sys.stdout, sys.stderr):  # the terminal may be unable to show an arrow or a file's name
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="backslashreplace")
-    given = list(sys.argv[1:] if arguments is None else arguments)
-    as_json = "--json" in given
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    as_json = "--json" in words
     try:
-        with main.make_context(program(), given) as context:
+        with main.make_context(program(), words) as context:
             main.invoke(context)
         if sys.stdout:
             sys.stdout.flush()
@@ -77,20 +73,20 @@ def run(
         return error.exit_code
     except click.ClickException as error:
         error.show()
-        return _told(as_json, error.format_message(), "see --help", failure or error.exit_code)
+        return _print_json_error(as_json, error.format_message(), "see --help", failure or error.exit_code)
     except (KeyboardInterrupt, click.Abort):
         terminal.echo(f"\n{interrupted}", err=True)
-        return _told(as_json, interrupted, "run it again", INTERRUPTED)
+        return _print_json_error(as_json, interrupted, "run it again", INTERRUPTED)
     except UnicodeDecodeError as error:
-        found = error.object[max(0, error.start - 30) : error.start].decode(errors="replace")
-        return _failed(as_json, f"a file is not UTF-8, after {found!r}", "", failure or 1)
+        before = error.object[max(0, error.start - 30) : error.start].decode(errors="replace")
+        return _failed(as_json, f"a file is not UTF-8, after {before!r}", "", failure or 1)
     except BrokenPipeError:  # the reader of our output is gone: `… --list | head`
         _drop_output()
         return reader_gone
     except OSError as error:
         if error.errno == errno.EBADF:
             _drop_output()
-        return _failed(as_json, *_of_the_system(error), failure or 1)
+        return _failed(as_json, *_explain_os_error(error), failure or 1)
     return 0
 
 
@@ -106,17 +102,16 @@ def ended(code: int) -> int:
 
 @contextlib.contextmanager
 def quiet() -> Iterator[None]:
-    """Drops what is written to standard error meanwhile, also by programs that are called. An error that ends the command is
-    printed after it."""
+    """Drops what is written to standard error meanwhile, also by programs that are called."""
     sys.stderr.flush()
-    kept = os.dup(2)
+    terminal_number = os.dup(2)
     with open(os.devnull, "w") as nowhere, contextlib.redirect_stderr(nowhere):
         os.dup2(nowhere.fileno(), 2)
         try:
             yield
         finally:
-            os.dup2(kept, 2)
-            os.close(kept)
+            os.dup2(terminal_number, 2)
+            os.close(terminal_number)
 
 
 def say(line: str) -> None:
@@ -125,26 +120,22 @@ def say(line: str) -> None:
 
 
 def warn(message: str, remedy: str = "") -> None:
-    """Prints a warning and its remedy on standard error. The command goes on."""
+    """Prints a warning and its remedy on standard error."""
     _say(f"{click.style('warning:', fg='yellow', bold=True)} ", message, remedy)
 
 
 LONGEST = 10_000
-"""The most characters of a line of a message. A message may quote what others wrote, such as a label of megabytes."""
+"""Characters of a line of a message, which may quote what others wrote, such as a label of megabytes."""
 
 
-def _cut(text: str) -> str:
-    """A message without the rest of very long lines."""
-    lines = (
-        line if len(line) <= LONGEST else f"{line[:LONGEST]}… ({len(line) - LONGEST:,} characters more)"
-        for line in text.split("\n")
-    )
-    return "\n".join(lines)
+def _shorten(text: str) -> str:
+    long = "{}… ({:,} characters more)"
+    lines = text.split("\n")
+    return "\n".join(x if len(x) <= LONGEST else long.format(x[:LONGEST], len(x) - LONGEST) for x in lines)
 
 
 def _say(head: str, message: str, remedy: str) -> None:
-    """Prints an error or a warning, and its remedy, on standard error."""
-    message, remedy = _cut(message), _cut(remedy)
+    message, remedy = _shorten(message), _shorten(remedy)
     terminal.echo(head + message, err=True)
     if remedy:
         terminal.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
@@ -153,23 +144,22 @@ def _say(head: str, message: str, remedy: str) -> None:
 def _failed(as_json: bool, message: str, remedy: str, code: int, head: str = ERROR) -> int:
     """Prints an error and its remedy. Returns the exit code."""
     _say(head, message, remedy)
-    return _told(as_json, message, remedy, code)
+    return _print_json_error(as_json, message, remedy, code)
 
 
-def _told(as_json: bool, message: str, remedy: str, code: int) -> int:
+def _print_json_error(as_json: bool, message: str, remedy: str, code: int) -> int:
     """Prints an error as a JSON object if --json is given. Returns the exit code."""
     if as_json and sys.stdout:
         try:
-            terminal.echo(json.dumps({"error": _cut(click.unstyle(message)), "remedy": _cut(remedy)}, indent=2))
+            terminal.echo(json.dumps({"error": _shorten(click.unstyle(message)), "remedy": _shorten(remedy)}, indent=2))
             sys.stdout.flush()
         except OSError:  # the reader is gone, or the disk is full; the message is printed already
             _drop_output()
     return code
 
 
-def _stand_in_for_closed() -> None:
-    """Opens /dev/null for closed output. Otherwise the next file that is opened gets its number, and output goes into that
-    file. Then writing to standard output fails, and messages are dropped."""
+def _open_closed_streams() -> None:
+    """Opens /dev/null for closed output: otherwise the next file that is opened would get its number, and the output."""
     if sys.stdout is None:
         sys.stdout = io.TextIOWrapper(io.BufferedWriter(io.FileIO(os.open(os.devnull, os.O_RDONLY), "w")), "utf-8")
     if sys.stderr is None:
@@ -181,10 +171,7 @@ def _drop_output() -> None:
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
-_IN_THE_WAY = "move it away, then run it again"
-
-
-def _of_the_system(error: OSError) -> tuple[str, str]:
+def _explain_os_error(error: OSError) -> tuple[str, str]:
     """The message and the remedy for a failed system call."""
     name = os.fsdecode(error.filename) if isinstance(error.filename, (str, bytes)) else ""
     reason = error.strerror or str(error) or type(error).__name__
@@ -192,19 +179,18 @@ def _of_the_system(error: OSError) -> tuple[str, str]:
         # The file may be any part of the path: a folder could not be made or entered.
         path = Path(name)
         culprit = next((x for x in (*reversed(path.parents), path) if x.exists() and not x.is_dir()), path)
-        return f"{culprit} is in the way: a folder is needed there", _IN_THE_WAY
+        return f"{culprit} is in the way: a folder is needed there", "move it away, then run it again"
     if error.errno == errno.EISDIR and name:
-        return f"{name} is in the way: it is a folder, and a file is needed there", _IN_THE_WAY
+        return f"{name} is in the way: it is a folder, and a file is needed there", "move it away, then run it again"
     if error.errno in (errno.EACCES, errno.EPERM, errno.EROFS) and name:
         return f"{name}: {reason}", "run it as a user with access, or give this one access"
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
-        made = " (rosml setup down; rosml setup clean removes all that was made)" if IN_CHECKOUT else ""
-        remedy = f"free some disk space{made}, then run it again"
-        return f"{name}: {reason}" if name else reason, remedy
+        how = " (rosml setup down; rosml setup clean removes all that was made)" if IN_CHECKOUT else ""
+        return f"{name}: {reason}" if name else reason, f"free some disk space{how}, then run it again"
     if error.errno == errno.EBADF and not name:
         return "standard output is closed: nothing can be printed", "send it to a file or a program, or to /dev/null"
     return f"{name}: {reason}" if name else reason, ""
 
 
-def _terminate(number: int, frame: FrameType | None) -> None:
+def _interrupt(number: int, frame: FrameType | None) -> None:
     raise KeyboardInterrupt

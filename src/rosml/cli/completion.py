@@ -32,7 +32,6 @@ class Name(click.ParamType[str]):
         self.kind = kind
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> list[CompletionItem]:
-        """Names that begin so; none if the matrix cannot be read."""
         from rosml.images.image_set import load, selection
 
         try:
@@ -76,14 +75,10 @@ class _Shell(ShellComplete):
 
 
 class Bash(_Shell, BashComplete):
-    """bash.
-
-    Attributes:
-        kept: the part of the word that bash keeps before the part that it completes.
-    """
+    """Completion in bash. `prefix` is the part of the word that bash keeps before the part that it completes."""
 
     source_template = BASH
-    kept = ""
+    prefix = ""
 
     def get_completion_args(self) -> tuple[list[str], str]:
         line = os.environ.get("COMP_LINE")
@@ -92,11 +87,11 @@ class Bash(_Shell, BashComplete):
         words = split_arg_string(line)
         incomplete = "" if line[-1:].isspace() else words.pop()
         breaks = [incomplete.rfind(x) for x in ":=" if x in os.environ.get("COMP_WORDBREAKS", "")]
-        self.kept = incomplete[: max(breaks, default=-1) + 1]
+        self.prefix = incomplete[: max(breaks, default=-1) + 1]
         return words[1:], incomplete
 
     def format_completion(self, item: CompletionItem[str]) -> str:
-        return f"{item.type},{item.value.removeprefix(self.kept)}"
+        return f"{item.type},{item.value.removeprefix(self.prefix)}"
 
 
 class Zsh(_Shell, ZshComplete):
@@ -111,25 +106,25 @@ OF_WORDS = ("attach", "run")
 """The commands that become docker or podman."""
 
 
-def asked() -> str:
+def question() -> str:
     """The question of a shell, such as `bash_complete`; empty if there is none."""
-    found = os.environ.get(VARIABLE, "")
-    return found if found.endswith(("_source", "_complete")) else ""
+    value = os.environ.get(VARIABLE, "")
+    return value if value.endswith(("_source", "_complete")) else ""
 
 
-def begun() -> str:
-    """The first word after `rosml` in the line that a shell completes; empty if there is none."""
+def first_word() -> str:
+    """The first word after `rosml` in the line that a shell completes."""
     line = os.environ.get("COMP_LINE") or os.environ.get("COMP_WORDS", "")
     return next(iter(line.split()[1:]), "")
 
 
 def answer(cli: click.Command) -> int | None:
     """Answers a shell; None if none asks."""
-    if not asked():
+    if not question():
         return None
     for shell in (Bash, Zsh, Fish):
         add_completion_class(shell)
     try:
-        return shell_complete(cli, {}, "rosml", VARIABLE, asked())
+        return shell_complete(cli, {}, "rosml", VARIABLE, question())
     except (KeyError, ValueError, IndexError):  # a shell that says too little
         return 1

@@ -14,9 +14,9 @@ Calls = list[tuple[str, str]]
 """Lines to call next, and what each does."""
 
 
-def show(wanted: Sequence[File], calls: Calls, dry_run: bool) -> None:
+def show(proposed: Sequence[File], calls: Calls, dry_run: bool) -> None:
     """Prints a line for each file, with its text if nothing was written, and the lines to call next."""
-    for file in wanted:
+    for file in proposed:
         state = "same" if file.same else "kept" if file.exists else "new" if dry_run else "written"
         terminal.echo(f"{state:<7}  {file.path}")
         if dry_run and not file.same:
@@ -26,9 +26,8 @@ def show(wanted: Sequence[File], calls: Calls, dry_run: bool) -> None:
         terminal.echo(f"  {line}\n      {what}")
 
 
-def as_json(wanted: Sequence[File], calls: Calls) -> dict[str, Any]:
-    """The same for programs."""
+def as_json(proposed: Sequence[File], calls: Calls) -> dict[str, Any]:
     return {
-        "files": [{"path": file.path, "there": file.exists, "same": file.same, "text": file.text} for file in wanted],
+        "files": [{"path": file.path, "there": file.exists, "same": file.same, "text": file.text} for file in proposed],
         "next": [line for line, _ in calls],
     }

@@ -50,7 +50,6 @@ TRIED = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "sc
 }
 """Words that people try, from other tools or from make, and the command for each."""
 
-
 SECTIONS = {
     "Run images": {"run": "run.run", "attach": "run.attach"},
     "Build images of your own packages": {
@@ -103,7 +102,6 @@ class Rosml(Group):
         return super().resolve_command(ctx, args)
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """Says where the pages are, and where to report a problem."""
         from rosml.base.addresses import help_lines  # only needed here, and `rosml run` starts sooner without it
 
         with formatter.section("Help"):
@@ -144,11 +142,11 @@ QUICK = completion.OF_WORDS
 
 def needed() -> Iterable[str]:
     """The commands that this call needs."""
-    if completion.asked().endswith("_source"):
+    if completion.question().endswith("_source"):
         return ()
-    first = completion.begun() if completion.asked() else next(iter(sys.argv[1:]), "")
-    there = QUICK if LACKING else MODULES
-    return (first,) if first in there else there
+    first = completion.first_word() if completion.question() else next(iter(sys.argv[1:]), "")
+    installed = QUICK if LACKING else MODULES
+    return (first,) if first in installed else installed
 
 
 def _add(name: str) -> None:
@@ -160,23 +158,19 @@ for name in needed():
 
 
 def _absolute(path: str) -> str:
-    """A PATH without relative entries. An empty entry or `.` means the current folder, and a stranger's repository may have
-    a program `git` or `docker`."""
+    """A PATH without relative entries: in an empty one or `.`, a stranger's repository may have a program `git` or `docker`."""
     return os.pathsep.join(filter(os.path.isabs, path.split(os.pathsep))) or os.defpath
 
 
 def run(word: str = "") -> int:
-    """Runs `rosml`, or answers a shell that completes its words. Returns the exit code.
-
-    Args:
-        word: the only command, if a script calls this.
-    """
+    """Runs `rosml`, or its command `word` alone, or answers a shell that completes its words. Returns the exit code."""
     os.environ["PATH"] = _absolute(os.environ.get("PATH", os.defpath))
     if (answered := completion.answer(cli)) is not None:
         return answered
     if word and word not in cli.commands:
         _add(word)
     first = cli.commands.get(word or next(iter(sys.argv[1:]), ""))
-    known = first if isinstance(first, Command | Group) else cli
-    gone = 0 if known.prints else command.BROKEN_PIPE
-    return command.ended(command.run(known if word else cli, known.kept, reader_gone=gone, failure=known.failure))
+    settings = first if isinstance(first, Command | Group) else cli
+    gone = 0 if settings.prints else command.BROKEN_PIPE
+    code = command.run(settings if word else cli, settings.kept, reader_gone=gone, failure=settings.failure)
+    return command.ended(code)

@@ -21,7 +21,7 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def _lower(_context: click.Context, _parameter: click.Parameter, value: str) -> str:
-    """A place for images in small letters: registries allow no capitals, names of repositories on forges do."""
+    """Registries allow no capitals, names of repositories on forges do."""
     return value.lower()
 
 
@@ -40,22 +40,18 @@ JSON = click.option("--json", "as_json", is_flag=True, help="print the result as
 
 
 def registry(where: str) -> Callable[[Function], Function]:
-    """The option for a registry.
-
-    Args:
-        where: its meaning, such as `where images go`.
-    """
+    """The option for a registry, with its meaning, such as `where images go`."""
     text = f"{where}, such as ghcr.io/me/rosml; a set's own, or the local registry's rosml, if left out"
     return click.option("--registry", default="", metavar="PREFIX", callback=_lower, help=text)
 
 
 def registry_of_set(matrix: Path) -> str:
-    """Where a set's images go; empty if the matrix is no set, or the set says nothing."""
+    """Where a set's images go; empty if the matrix is no set, or the set has no registry."""
     from rosml.images.matrix import extends, source
 
     data = source.read(matrix).data
-    named = data.get("registry") if isinstance(data, Mapping) and extends.KEY in data else ""
-    return named.lower() if isinstance(named, str) else ""
+    registry = data.get("registry") if isinstance(data, Mapping) and extends.KEY in data else ""
+    return registry.lower() if isinstance(registry, str) else ""
 
 
 def unnamed(error: RosmlError) -> RosmlError:
@@ -67,21 +63,15 @@ def unnamed(error: RosmlError) -> RosmlError:
     return RosmlError("no registry is named", f"{remedy}; or, {checkout.own_command(near)}" if near else remedy)
 
 
-def place_of(named: str, root: Path) -> Place:
-    """The place that is named, for commands that build nothing. If none is named, it is that of a set, or the local one.
-
-    Raises:
-        RosmlError: no registry is named, and there is no local one.
-    """
+def place_of(name: str, root: Path) -> Place:
+    """The place with this name, for commands that build nothing; without a name, that of a set, or the local one."""
     from rosml.machine.services import Services
     from rosml.registry.place import Place
 
-    named = named or registry_of_set(MATRIX_FILE)
-    ca_bundle = os.environ.get("SSL_CERT_FILE", "")
-    if not named:
-        try:
-            services = Services.load(root)
-            named, ca_bundle = services.place, services.ca_bundle
-        except RosmlError as error:
-            raise unnamed(error) from None
-    return Place.at(named, ca_bundle)
+    if name := name or registry_of_set(MATRIX_FILE):
+        return Place.at(name, os.environ.get("SSL_CERT_FILE", ""))
+    try:
+        services = Services.load(root)
+        return Place.at(services.place, services.ca_bundle)
+    except RosmlError as error:
+        raise unnamed(error) from None

@@ -27,18 +27,15 @@ BUILD_GB = 40
 """Free disk that builds of several images need (README.md)."""
 
 STYLES = {"ok": "green", "note": "yellow", "wrong": "red"}
-"""Every state of a finding, with its colour: it works; some commands lack it; something that is there does not work."""
+"""Every state of a finding, with its colour: it works; some commands lack it; something that is installed does not work."""
 
 
 @dataclass(frozen=True)
 class Finding:
-    """What is known of one thing that rosml uses.
+    """The state of one thing that rosml uses.
 
     Attributes:
-        name: of the thing.
-        state: one of STYLES.
-        found: what there is.
-        remedy: what to do, if something is to be done.
+        found: what this machine has of it.
     """
 
     name: str
@@ -64,19 +61,18 @@ def main(as_json: bool) -> None:
       rosml doctor
       rosml doctor --json
     """
-    found = [finding for check in CHECKS for finding in check()]
+    findings = [finding for check in CHECKS for finding in check()]
     if as_json:
-        terminal.echo(json.dumps([asdict(finding) for finding in found], indent=2))
+        terminal.echo(json.dumps([asdict(finding) for finding in findings], indent=2))
     else:
-        show(found)
-    if any(finding.state == "wrong" for finding in found):
+        show(findings)
+    if any(finding.state == "wrong" for finding in findings):
         raise SystemExit(1)
 
 
-def show(found: list[Finding]) -> None:
-    """Prints a line for each finding, and the remedies below it."""
-    width = max(len(finding.name) for finding in found)
-    for finding in found:
+def show(findings: list[Finding]) -> None:
+    width = max(len(finding.name) for finding in findings)
+    for finding in findings:
         state = click.style(finding.state.ljust(5), fg=STYLES[finding.state])
         terminal.echo(f"{state}  {finding.name.ljust(width)}  {finding.found}")
         if finding.remedy:
@@ -84,14 +80,14 @@ def show(found: list[Finding]) -> None:
 
 
 def system() -> Iterator[Finding]:
-    """The machine itself."""
-    with_name = (
-        platform.freedesktop_os_release().get("PRETTY_NAME", "Linux") if Path("/etc/os-release").exists() else ""
-    )
-    text = f"{with_name or platform.system()}, {platform.machine()}, {os.cpu_count()} processors"
-    known = platform.machine() in ("x86_64", "aarch64", "arm64")
-    remedy = "" if known else "images exist for amd64 and arm64"
-    yield Finding("machine", "ok" if known else "note", f"{text}, Python {platform.python_version()}", remedy)
+    system_name = platform.system()
+    if Path("/etc/os-release").exists():
+        system_name = platform.freedesktop_os_release().get("PRETTY_NAME", "Linux")
+    text = f"{system_name}, {platform.machine()}, {os.cpu_count()} processors, Python {platform.python_version()}"
+    if platform.machine() in ("x86_64", "aarch64", "arm64"):
+        yield Finding("machine", "ok", text)
+    else:
+        yield Finding("machine", "note", text, "images exist for amd64 and arm64")
 
 
 def disk() -> Iterator[Finding]:
@@ -104,16 +100,16 @@ def disk() -> Iterator[Finding]:
     image_set = load.load(MATRIX, ROOT)
     image = image_set.image(image_set.matrix.default.targets[0])
     needs = f"; building {image.target} takes {gigabytes(needed_mb(image_set, image, ()))}" if IN_CHECKOUT else ""
-    remedy = (
-        ""
-        if free >= BUILD_GB
-        else f"builds of several images need {BUILD_GB} GB; docker system df shows what Docker has"
-    )
-    yield Finding("disk", "ok" if not remedy else "note", f"{free:.0f} GB free{needs}", remedy)
+    text = f"{free:.0f} GB free{needs}"
+    if free >= BUILD_GB:
+        yield Finding("disk", "ok", text)
+    else:
+        remedy = f"builds of several images need {BUILD_GB} GB; docker system df shows what Docker has"
+        yield Finding("disk", "note", text, remedy)
 
 
 def engine() -> Iterator[Finding]:
-    """docker or podman, which start containers, and whether it can hand in the machine's GPUs."""
+    """docker or podman, and whether it can hand in the machine's GPUs."""
     from rosml.run import engine as engines
     from rosml.run.host import host
     from rosml.run.plugins import gpu as gpus
@@ -127,8 +123,8 @@ def engine() -> Iterator[Finding]:
         yield Finding("engine", "wrong" if installed and not IN_CHECKOUT else "note", error.message, error.remedy)
         return
     kind = "podman" if about.podman else "docker"
-    said = kind if kind == os.path.basename(program) else f"{program}, which is {kind}"
-    yield Finding("engine", "ok", f"{said} answers" + (", rootless" if about.rootless else ""))
+    name = kind if kind == os.path.basename(program) else f"{program}, which is {kind}"
+    yield Finding("engine", "ok", f"{name} answers" + (", rootless" if about.rootless else ""))
     here = host(os.environ)
     if words := gpus.is_nvidia(here) and gpus.handed_in(about, here):
         yield Finding("GPU in containers", "ok", f"{about.program} hands it in: {' '.join(words)}")
@@ -175,7 +171,6 @@ def _matrix() -> Matrix:
 
 
 def services() -> Iterator[Finding]:
-    """The services of a checkout."""
     if not IN_CHECKOUT:
         yield Finding("checkout", "note", "none: list, explain, join, run and containerize need none", "")
         return
@@ -184,9 +179,8 @@ def services() -> Iterator[Finding]:
 
     facts = status(state_of_checkout())
     if not facts["up"]:
-        yield Finding(
-            "services", "note", "not up: no local registry, and no builder", "./rosml setup; make image calls it"
-        )
+        text = "not up: no local registry, and no builder"
+        yield Finding("services", "note", text, "./rosml setup; make image calls it")
         return
     for name, address in (("registry", facts["registry"]["address"]), ("builder", facts["builder"]["name"])):
         answers = facts[name]["answers"]
@@ -197,21 +191,20 @@ def services() -> Iterator[Finding]:
 
 
 def network() -> Iterator[Finding]:
-    """What builds ask for."""
     from rosml.base.side_by_side import side_by_side
     from rosml.machine.setup.network import answers, docker_hub_answers
 
     ca_bundle = os.environ.get("SSL_CERT_FILE", "")
     archive = _matrix().ros_archive
-    asked: dict[str, Callable[[], bool]] = {"Docker Hub": lambda: docker_hub_answers(ca_bundle)}
+    probes: dict[str, Callable[[], bool]] = {"Docker Hub": lambda: docker_hub_answers(ca_bundle)}
     if archive:
         address = archive.live.format(generation="ros2")
-        asked["ROS's archive"] = lambda: answers(f"{address}/dists/")
-    asked["GitHub"] = lambda: answers("https://github.com/ros/rosdistro")
-    found = side_by_side(lambda name: asked[name](), asked)
-    silent = [name for name, yes in zip(asked, found, strict=True) if not yes]
-    if len(silent) < len(asked):
-        yield Finding("network", "ok", f"{', '.join(name for name in asked if name not in silent)}: answers")
+        probes["ROS's archive"] = lambda: answers(f"{address}/dists/")
+    probes["GitHub"] = lambda: answers("https://github.com/ros/rosdistro")
+    replies = side_by_side(lambda name: probes[name](), probes)
+    silent = [name for name, reply in zip(probes, replies, strict=True) if not reply]
+    if len(silent) < len(probes):
+        yield Finding("network", "ok", f"{', '.join(name for name in probes if name not in silent)}: answers")
     if silent:
         remedy = "set HTTPS_PROXY and SSL_CERT_FILE if a proxy is between; mirrors are in docs/registry/networks.md"
         yield Finding("network", "note", f"{', '.join(silent)}: no answer", remedy)

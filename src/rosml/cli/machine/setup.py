@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from rosml.machine.setup.state import State
 
 KEPT = "interrupted; call it again to carry on"
-"""The message after Ctrl-C."""
 
 UV = "ROSML_UV"
 """The variable with the path of uv. scripts/bootstrap.py sets it after it has installed the Python packages."""
@@ -39,11 +38,8 @@ PREINSTALLED = (
 
 TESTS = click.option("--tests", is_flag=True, help="also install a registry and pytest, for its tests")
 
-
-STANDARD_ERROR = 2
-
 PROGRAM = (sys.executable, str(ROOT / "scripts/bootstrap.py"))
-"""The command that starts from a bare Python: it finds uv, installs Python packages, and calls `rosml setup` again."""
+"""The command that starts from a bare Python."""
 
 
 def bootstrap() -> None:
@@ -53,7 +49,7 @@ def bootstrap() -> None:
 
 
 def is_up(root: Path) -> bool:
-    """Whether a checkout is ready for builds: its registry and its builder answer, and whoever pushes has the registry's password."""
+    """Whether a checkout is ready for builds: its registry and builder answer, and whoever pushes has the registry's password."""
     from rosml.base.errors import RosmlError
     from rosml.machine.services import Services
     from rosml.registry import credentials
@@ -68,17 +64,13 @@ def is_up(root: Path) -> bool:
 
 
 def bring_up(root: Path) -> None:
-    """Sets this machine up, as `rosml setup` does. Its output goes to standard error.
-
-    Raises:
-        RosmlError: setup failed, and has printed why.
-    """
+    """Sets this machine up, as `rosml setup` does. Its output goes to standard error."""
     import subprocess  # only needed here
 
     from rosml.base.errors import RosmlError
 
     program = [sys.executable, str(root / "scripts/bootstrap.py"), "up"]
-    if subprocess.run(program, stdout=STANDARD_ERROR, check=False).returncode:
+    if subprocess.run(program, stdout=2, check=False).returncode:
         raise RosmlError("this machine could not be set up", "follow the remedy above, then call it again")
 
 
@@ -90,8 +82,6 @@ class Step(Command):
 
 
 class Steps(Group):
-    """The commands of `rosml setup`."""
-
     command_class = Step
 
 
@@ -268,7 +258,6 @@ def status(as_json: bool) -> None:
 
 
 def state_of_checkout() -> State:
-    """The state of setup in this checkout."""
     from rosml.machine.setup.state import State
 
     return State(ROOT, terminal.echo, os.environ.get(UV, ""), os.environ.get("ROSML_CA_BUNDLE", ""))
@@ -304,12 +293,12 @@ def _up(state: State, hub: bool, tests: bool = False) -> None:
     state.say(f"setup: done in {duration(time.monotonic() - started)}")
 
 
-def _program(name: str, ask: str, file: str, tests: bool) -> None:
+def _program(name: str, version_argument: str, file: str, tests: bool) -> None:
     """Finds or builds the scanner or the signer, and saves its path."""
     from rosml.base import files
 
     installer = _installer(state_of_checkout())
-    path = installer.on_path(name, ask) or installer.go_program(name)
+    path = installer.on_path(name, version_argument) or installer.go_program(name)
     if tests:
         installer.go_program("registry")
     installer.drop_go_caches()

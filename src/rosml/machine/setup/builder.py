@@ -302,18 +302,18 @@ def _launch(state: State, services: Services, bridge: Bridge | None) -> str:
     address.unlink(missing_ok=True)
     buildkitd.start()
     wait_until(lambda: network.socket_answers(str(address)) or not buildkitd.pid(), START_SECONDS)
+    no_bridge = f"as buildkitd does not start with a bridge ({buildkitd.log} says why)"
+    if not buildkitd.pid():
+        if bridge:
+            return no_bridge
+        raise RosmlError(f"buildkitd does not start. {tail(buildkitd.log)}")
+    _create(services, ["--driver", "remote", f"unix://{address}"])
     try:
-        if not buildkitd.pid():
-            raise RosmlError(f"buildkitd does not start. {tail(buildkitd.log)}")
-        _create(services, ["--driver", "remote", f"unix://{address}"])
-        try:
-            services.require_builder()
-        except RosmlError:
-            raise RosmlError(f"buildkitd does not answer. {tail(buildkitd.log)}") from None
+        services.require_builder()
     except RosmlError:
-        if bridge:  # it may answer a moment before it uses the bridge
-            return f"as buildkitd does not start with a bridge ({buildkitd.log} says why)"
-        raise
+        if bridge:  # it answers a moment before it uses the bridge
+            return no_bridge
+        raise RosmlError(f"buildkitd does not answer. {tail(buildkitd.log)}") from None
     took = duration(time.monotonic() - started)
     state.say(f"builder: '{services.builder}', started buildkitd in {took}, since no Docker daemon can be used")
     return _enclosed(state, bridge)
