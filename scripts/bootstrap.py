@@ -32,7 +32,6 @@ PYTHON = VENV / "bin" / "python"
 SOURCES = ROOT / "src"
 OLDEST_UV = [0, 9]
 OLDEST_PYTHON = "3.11"
-"""The oldest Python for the commands, as in pyproject.toml."""
 
 GROUPS = ("app", "dev", "page")
 """Groups of Python packages, each with those before it: for the commands; for linters and tests; for the page's tests."""
@@ -92,7 +91,6 @@ def interruptions_held() -> Iterator[None]:
 
 
 def run(what: str, argv: Sequence[str], log: Path, env: Mapping[str, str], remedy: str = "") -> None:
-    """Runs a long command. Its output goes to a log; users see signs of life."""
     started, devnull = time.monotonic(), subprocess.DEVNULL
     with log.open("w") as out:
         process = None
@@ -145,7 +143,6 @@ def lock() -> Iterator[None]:
 
 
 def ca_bundle() -> str:
-    """The absolute path of the user's own CA bundle, or empty."""
     names = ("ROSML_CA_BUNDLE", "SSL_CERT_FILE", "REQUESTS_CA_BUNDLE", "CURL_CA_BUNDLE")
     paths = [path for path in (os.environ.get(name, "") for name in names) if os.path.isfile(path)]
     if (path := os.environ.get("ROSML_CA_BUNDLE", "")) and path not in paths:  # only this project reads this variable
@@ -168,7 +165,6 @@ def uv_on_path() -> str:
 
 
 def pinned_uv() -> str:
-    """The program of the pinned Python package, in `.state/bin`. Installs it if it is missing."""
     requirements, program, stamp = ROOT / "tools" / "requirements.txt", BIN / "uv", BIN / ".uv.pin"
     pins = requirements.read_text()
     if program.exists() and stamp.exists() and stamp.read_text() == pins:
@@ -226,7 +222,6 @@ def packages(uv: str, group: str) -> None:
 
 
 def can_hand_over() -> bool:
-    """Whether the packages for `rosml setup` are installed."""
     code = f"import sys; sys.path.insert(0, {str(SOURCES)!r}); import rosml.cli.main"
     return output_of(str(PYTHON), "-c", code) is not None
 
@@ -267,7 +262,6 @@ def stop() -> None:
 
 
 def clean() -> int:
-    """Removes all files of setup."""
     if mounts := re.findall(rf" ({re.escape(str(STATE))}/\S*) ", Path("/proc/self/mounts").read_text()):
         raise Failure(f"still mounted: {', '.join(mounts)}", f"umount --lazy {mounts[-1]}")
     byte_code = [folder for name in ("src", "scripts", "tests") for folder in (ROOT / name).rglob("__pycache__")]

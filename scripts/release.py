@@ -30,11 +30,9 @@ VERSION_FILE, CHANGELOG = ROOT / "src/rosml/__init__.py", ROOT / "CHANGELOG.md"
 OUTPUT = ROOT / ".state/release"
 
 IN_WORK = re.compile(r"^## \S+ \(in work\)$", re.MULTILINE)
-"""The heading of the changelog's first section, before its release."""
 
 
 def run(*argv: str, environment: dict[str, str] | None = None) -> str:
-    """The output of a command."""
     env = {**os.environ, **(environment or {})}
     try:
         done = subprocess.run(argv, cwd=ROOT, env=env, capture_output=True, text=True, check=False)
@@ -51,7 +49,6 @@ def numbers(version: str) -> tuple[int, ...]:
 
 
 def start(version: str) -> None:
-    """Writes, commits and tags a version."""
     if not re.fullmatch(r"(0|[1-9]\d*)\.(0|[1-9]\d*)\.(0|[1-9]\d*)", version):
         remedy = "name one of three numbers: make release VERSION=0.2.0"
         raise RosmlError(f"{version or 'nothing'} is no version", remedy, exit_code=2)
@@ -80,7 +77,6 @@ def start(version: str) -> None:
 
 
 def released() -> str:
-    """The version of this checkout, whose tag is on its commit."""
     [version] = re.findall(r'^__version__ = "(.*)"$', VERSION_FILE.read_text(encoding="utf-8"), re.MULTILINE)
     if f"v{version}" not in run("git", "tag", "--points-at", "HEAD").split():
         raise RosmlError(f"this commit has no tag v{version}", f"start the release: make release VERSION={version}")
@@ -88,7 +84,6 @@ def released() -> str:
 
 
 def notes(version: str) -> str:
-    """The section of the changelog about a version."""
     pattern = rf"^## {re.escape(version)} \(.*\)\n(.*?)(?=^## |\Z)"
     section = re.search(pattern, CHANGELOG.read_text("utf-8"), re.MULTILINE | re.DOTALL)
     if not section:
@@ -135,7 +130,6 @@ def publish() -> None:
 
 
 def main(argv: list[str]) -> int:
-    """Returns the exit code: 0, 1 (failed) or 2 (wrong input)."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("step", choices=("start", "build", "publish"))
     parser.add_argument("version", nargs="?", default="")

@@ -28,7 +28,6 @@ FILES: dict[str, tuple[str, ...]] = {"app": (), "build": ("build",), "dev": ("de
 
 
 def group(project: dict[str, Any], name: str) -> Iterator[str]:
-    """The requirements of a group and of the groups that it includes."""
     for item in project["dependency-groups"][name]:
         if isinstance(item, str):
             yield item
@@ -37,7 +36,6 @@ def group(project: dict[str, Any], name: str) -> Iterator[str]:
 
 
 def requirements(root: Path) -> dict[str, str]:
-    """The requirements in pyproject.toml for each file, a line each."""
     project = tomllib.loads((root / "pyproject.toml").read_text())
     commands = project["project"]["dependencies"]
     return {
@@ -58,7 +56,6 @@ def header(file: str, lines: str) -> str:
 
 
 def stale(root: Path) -> list[str]:
-    """Files that were not resolved from the present pyproject.toml."""
     return [
         str(path(root, file).relative_to(root))
         for file, lines in requirements(root).items()

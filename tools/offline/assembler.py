@@ -15,7 +15,6 @@ from rosml.images.matrix.model import ANY_PYTHON
 from rosml.machine.services import Services
 
 VERSIONS = "~/.pyenv/versions"
-"""The folder with further Pythons of this machine."""
 REPLACEMENT = "docker.io/library/debian:bookworm"
 
 
@@ -43,7 +42,6 @@ def interpreter(python: str) -> tuple[str, Path | None]:
 
 
 def with_python(services: Services, reference: str, python: str, home: Path) -> str:
-    """Pushes Debian's base image with a Python of this machine to the local registry. Returns its reference by digest."""
     (services.state / "tmp").mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
         context = Path(folder)

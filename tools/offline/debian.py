@@ -28,7 +28,6 @@ from rosml.registry.client import Registry
 from rosml.registry.oci import INDEX
 
 EPOCH = 1767225600
-"""The timestamp of files and image (2026-01-01), as everywhere in this project."""
 MANIFEST = "application/vnd.oci.image.manifest.v1+json"
 CONFIG = "application/vnd.oci.image.config.v1+json"
 LAYER = "application/vnd.oci.image.layer.v1.tar+gzip"
@@ -113,12 +112,10 @@ def ensure(services: Services, image: str, architecture: str = "") -> dict[str, 
 
 
 def say(line: str) -> None:
-    """Prints progress; standard output is for the answer."""
     print(line, file=sys.stderr, flush=True)
 
 
 def emulated(architecture: str) -> bool:
-    """Whether the kernel runs programs of another architecture (``rosml setup emulate``)."""
     machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(architecture, architecture)
     return (BINFMT / f"qemu-{machine}").exists()
 
@@ -298,7 +295,6 @@ def compress(tar: Path, blobs: Path) -> tuple[str, dict[str, Any]]:
 
 
 def put(blobs: Path, media_type: str, content: dict[str, Any]) -> dict[str, Any]:
-    """Writes a JSON blob. Returns its descriptor."""
     data = json.dumps(content, sort_keys=True, separators=(",", ":")).encode()
     digest = hashlib.sha256(data).hexdigest()
     (blobs / digest).write_bytes(data)
@@ -306,7 +302,6 @@ def put(blobs: Path, media_type: str, content: dict[str, Any]) -> dict[str, Any]
 
 
 def push(services: Services, blobs: Path, digest: str, tag: str) -> None:
-    """Copies an image into the local registry."""
     manifest = (blobs / digest.removeprefix("sha256:")).read_bytes()
     content = json.loads(manifest)
     with Registry(services.registry) as registry:

@@ -16,7 +16,6 @@ from rosml.base.errors import RosmlError
 from rosml.cli import command
 
 PARTS = ("matrix.yaml", "Dockerfile", "components", "scripts/bootstrap.py", "rosml")
-"""Files by which we recognize a checkout."""
 
 SETTINGS = {"help_option_names": ["-h", "--help"]}
 
@@ -29,31 +28,21 @@ def _extra_words(command: click.Command) -> str:
 
 
 _MACHINES = ("--platform", "--architecture", "--arch")
-"""Options for kinds of machines, as commands of rosml and others call them."""
 
 
 class Command(click.Command):
-    """A command of `rosml`.
+    """A command of `rosml`."""
 
-    Attributes:
-        alone: it needs no checkout.
-        prints: it only prints, so its reader may stop early.
-        kept: the message after Ctrl-C.
-        before: functions to call first.
-        extra: what to do if there are more words than it takes.
-        failure: the exit code of every error; 0 for those of `command.run`.
-    """
-
-    failure = 0
+    failure = 0  # the exit code of every error; 0 for those of `command.run`
 
     def __init__(
         self,
         *arguments: Any,
-        alone: bool = False,
-        prints: bool = False,
+        alone: bool = False,  # it needs no checkout
+        prints: bool = False,  # it only prints, so its reader may stop early
         kept: str = command.INTERRUPTED_TEXT,
-        before: Sequence[Callable[[], None]] = (),
-        extra: str = "",
+        before: Sequence[Callable[[], None]] = (),  # functions to call first
+        extra: str = "",  # what to do if there are more words than it takes
         **options: Any,
     ) -> None:
         super().__init__(*arguments, **{"context_settings": SETTINGS, **options})
@@ -83,12 +72,7 @@ class Command(click.Command):
 
 
 class Group(click.Group):
-    """A group of such commands.
-
-    Attributes:
-        elsewhere: words that people may try here, and the command for each.
-        sections: titles in --help, and the names of the commands below each.
-    """
+    """A group of such commands."""
 
     command_class = Command
     prints = False
@@ -98,8 +82,8 @@ class Group(click.Group):
         self,
         *arguments: Any,
         kept: str = command.INTERRUPTED_TEXT,
-        elsewhere: Mapping[str, str] | None = None,
-        sections: Mapping[str, Iterable[str]] | None = None,
+        elsewhere: Mapping[str, str] | None = None,  # the right command for each word that people may try here
+        sections: Mapping[str, Iterable[str]] | None = None,  # the names of commands, by their title in --help
         **options: Any,
     ) -> None:
         super().__init__(*arguments, **{"context_settings": SETTINGS, **options})
@@ -132,7 +116,6 @@ class Group(click.Group):
 
 
 def sentence(command: click.Command) -> str:
-    """The sentence about a command in a list."""
     return command.get_short_help_str(limit=1_000)
 
 
@@ -174,7 +157,6 @@ def call(folder: Path | None = None) -> str:
 
 
 def require() -> None:
-    """Refuses the installed `rosml`, with exit code 2."""
     if IN_CHECKOUT:
         return
     if near := around():

@@ -115,12 +115,10 @@ def quiet() -> Iterator[None]:
 
 
 def say(line: str) -> None:
-    """Prints what begins now."""
     terminal.echo(click.style(f"==> {line}", bold=True), err=True)
 
 
 def warn(message: str, remedy: str = "") -> None:
-    """Prints a warning and its remedy on standard error."""
     _say(f"{click.style('warning:', fg='yellow', bold=True)} ", message, remedy)
 
 
@@ -142,13 +140,11 @@ def _say(head: str, message: str, remedy: str) -> None:
 
 
 def _failed(as_json: bool, message: str, remedy: str, code: int, head: str = ERROR) -> int:
-    """Prints an error and its remedy. Returns the exit code."""
     _say(head, message, remedy)
     return _print_json_error(as_json, message, remedy, code)
 
 
 def _print_json_error(as_json: bool, message: str, remedy: str, code: int) -> int:
-    """Prints an error as a JSON object if --json is given. Returns the exit code."""
     if as_json and sys.stdout:
         try:
             terminal.echo(json.dumps({"error": _shorten(click.unstyle(message)), "remedy": _shorten(remedy)}, indent=2))
@@ -172,7 +168,6 @@ def _drop_output() -> None:
 
 
 def _explain_os_error(error: OSError) -> tuple[str, str]:
-    """The message and the remedy for a failed system call."""
     name = os.fsdecode(error.filename) if isinstance(error.filename, (str, bytes)) else ""
     reason = error.strerror or str(error) or type(error).__name__
     if error.errno in (errno.EEXIST, errno.ENOTDIR) and name:

@@ -20,12 +20,9 @@ from rosml import MATRIX, ROOT
 from rosml.base.errors import RosmlError
 
 VARIABLE = "_ROSML_COMPLETE"
-"""The variable by which a shell asks, as in click."""
 
 
 class Name(click.ParamType[str]):
-    """A name of one kind: of `targets`, `parts` or `groups`."""
-
     name = "name"
 
     def __init__(self, kind: str) -> None:
@@ -103,7 +100,6 @@ class Fish(_Shell, FishComplete):
 
 
 OF_WORDS = ("attach", "run")
-"""The commands that become docker or podman."""
 
 
 def question() -> str:
@@ -113,13 +109,11 @@ def question() -> str:
 
 
 def first_word() -> str:
-    """The first word after `rosml` in the line that a shell completes."""
     line = os.environ.get("COMP_LINE") or os.environ.get("COMP_WORDS", "")
     return next(iter(line.split()[1:]), "")
 
 
 def answer(cli: click.Command) -> int | None:
-    """Answers a shell; None if none asks."""
     if not question():
         return None
     for shell in (Bash, Zsh, Fish):

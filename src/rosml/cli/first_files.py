@@ -11,11 +11,9 @@ if TYPE_CHECKING:
     from rosml.containerize.init.folder import File
 
 Calls = list[tuple[str, str]]
-"""Lines to call next, and what each does."""
 
 
 def show(proposed: Sequence[File], calls: Calls, dry_run: bool) -> None:
-    """Prints a line for each file, with its text if nothing was written, and the lines to call next."""
     for file in proposed:
         state = "same" if file.same else "kept" if file.exists else "new" if dry_run else "written"
         terminal.echo(f"{state:<7}  {file.path}")

@@ -86,8 +86,6 @@ MODULES = {name: module for section in SECTIONS.values() for name, module in sec
 
 
 class Rosml(Group):
-    """The group `rosml`. Some of its commands need packages that may be missing."""
-
     def resolve_command(
         self, ctx: click.Context, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
@@ -141,7 +139,6 @@ QUICK = completion.OF_WORDS
 
 
 def needed() -> Iterable[str]:
-    """The commands that this call needs."""
     if completion.question().endswith("_source"):
         return ()
     first = completion.first_word() if completion.question() else next(iter(sys.argv[1:]), "")

@@ -40,7 +40,6 @@ JSON = click.option("--json", "as_json", is_flag=True, help="print the result as
 
 
 def registry(where: str) -> Callable[[Function], Function]:
-    """The option for a registry, with its meaning, such as `where images go`."""
     text = f"{where}, such as ghcr.io/me/rosml; a set's own, or the local registry's rosml, if left out"
     return click.option("--registry", default="", metavar="PREFIX", callback=_lower, help=text)
 

@@ -113,22 +113,15 @@ _BAKE_VARIABLES = re.compile(
 
 
 class Unanswered(RosmlError):
-    """A build that failed because a registry answered with an error, or not at all.
-
-    Attributes:
-        answer: such as `403 Forbidden`.
-        push_target: where the finished result was pushed to; empty if something was pulled.
-    """
+    """A build that failed because a registry answered with an error, or not at all."""
 
     def __init__(self, message: str, remedy: str, answer: str, push_target: str) -> None:
         super().__init__(message, remedy)
-        self.answer = answer
-        self.push_target = push_target
+        self.answer = answer  # such as `403 Forbidden`
+        self.push_target = push_target  # empty if something was pulled
 
 
 class StepFailed(RosmlError):
-    """A build that failed in a step of the Dockerfile's `stage`."""
-
     def __init__(self, message: str, remedy: str, stage: str) -> None:
         super().__init__(message, remedy)
         self.stage = stage
@@ -136,26 +129,17 @@ class StepFailed(RosmlError):
 
 @dataclass(frozen=True)
 class Bake:
-    """One call of `buildx bake`.
-
-    Attributes:
-        name: the log's name, without its ending.
-        sets: overrides of targets, `target.key=value` each.
-        foreign: scripts that run other people's code. Its output gets no remedy from rosml.
-        glance: what the call does, for people, if it only copies files out of an image; its steps are not shown.
-        shares: the name of the steps that other calls may have as well. Calls with the same name take turns.
-        beside: targets that the call builds as well.
-    """
+    """One call of `buildx bake`."""
 
     target: str
-    name: str
+    name: str  # of the log, without its ending
     file: Path
-    sets: Sequence[str] = ()
+    sets: Sequence[str] = ()  # overrides of targets, `target.key=value` each
     variables: Mapping[str, str] = field(default_factory=dict)
-    foreign: Sequence[str] = ()
-    glance: str = ""
-    shares: str = ""
-    beside: Sequence[str] = ()
+    foreign: Sequence[str] = ()  # scripts that run other people's code; its output gets no remedy from rosml
+    glance: str = ""  # what a call does that only copies files out of an image; its steps are not shown
+    shares: str = ""  # the name of steps that other calls have as well; calls with the same name take turns
+    beside: Sequence[str] = ()  # targets that the call builds as well
 
 
 IMAGES = "images"
@@ -196,12 +180,10 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
 
 
 def command_on_it(services: Services) -> str:
-    """The shell line by which users build their own Dockerfile with this builder, into its registry.
-
-    It writes OCI media types: Docker has none for a base image's zstd layers that podman 4 would take.
-    """
+    """The shell line by which users build their own Dockerfile with this builder, into its registry."""
     config = f"BUILDX_CONFIG={shlex.quote(str(services.buildx_config))} " if services.buildx_config else ""
     password = f'{credentials.VARIABLE}="$(cat {shlex.quote(str(services.state / credentials.OWN))})" '
+    # OCI media types: Docker has none for a base image's zstd layers that podman 4 would take.
     output = f"type=image,name={services.registry}/mine,push=true,oci-mediatypes=true"
     return f"{password}{config}{shlex.join(services.buildx)} build --builder {services.builder} --output {output} ."
 
@@ -213,7 +195,6 @@ def waited() -> float:
 
 @contextmanager
 def _turn(services: Services, shares: str) -> Iterator[None]:
-    """Waits for other builds that share steps with this one, and says when that begins and ends."""
     if not shares:
         yield
         return
@@ -267,10 +248,7 @@ def run_all(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, di
 
 
 def _pause(services: Services, error: Unanswered, attempt: int) -> float | None:
-    """Seconds to wait before the build is repeated; None if that does not help.
-
-    If a push is denied, but our own client may push, the registry was making the repository.
-    """
+    """Seconds to wait before the build is repeated; None if that does not help."""
     status = int(error.answer[:3]) if error.answer[:3].isdecimal() else 0
     transient = failures.Transient(error.answer)
     if status in web.BUSY:
@@ -279,7 +257,7 @@ def _pause(services: Services, error: Unanswered, attempt: int) -> float | None:
         return None
     if status in (404, 409):
         return failures.pause(failures.Refused(error), attempt)
-    if status == 403:
+    if status == 403:  # if our own client may push, the registry was making the repository
         try:
             place = references.parse(error.push_target)
             with Registry(place.host, ca_bundle=services.ca_bundle) as client:
@@ -367,7 +345,6 @@ def _remedy(bake: Bake, progress: BuildProgress, step: Step | None) -> str:
 
 
 def _stop(process: subprocess.Popen[str]) -> None:
-    """Stops buildx, which cancels the build. The builder keeps finished steps."""
     if process.poll() is None:
         process.send_signal(signal.SIGINT)
         try:

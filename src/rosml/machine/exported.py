@@ -45,7 +45,6 @@ _KINDS = {
 
 
 def output(archive: Path) -> str:
-    """The output of a bake target whose files go into an archive."""
     return f"type=tar,dest={archive}"
 
 
@@ -102,7 +101,6 @@ _NAMES = (errno.EEXIST, errno.EISDIR, errno.ELOOP, errno.ENAMETOOLONG, errno.ENO
 
 
 def _refusal(entry: tarfile.TarInfo, path: PurePosixPath, limits: Limits) -> str:
-    """Why an entry is not written; empty if it is."""
     if path.is_absolute() or not path.parts or ".." in path.parts:
         return "its path leads elsewhere"
     if entry.type not in (tarfile.REGTYPE, tarfile.AREGTYPE):
@@ -122,7 +120,6 @@ def _shown(path: PurePosixPath) -> str:
 
 
 def read(folder: Path, name: str) -> bytes:
-    """A file that `unpack` wrote."""
     try:
         return (folder / name).read_bytes()
     except OSError as error:

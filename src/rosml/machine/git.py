@@ -42,7 +42,6 @@ QUIET = {
 FETCHING = {"core.askPass": os.devnull, "core.sshCommand": os.devnull, "credential.helper": ""}
 
 CLEAN = {"GIT_NO_LAZY_FETCH": "1", "GIT_TERMINAL_PROMPT": "0", "GIT_ATTR_NOSYSTEM": "1", "LC_ALL": "C", "LANGUAGE": ""}
-"""Variables that git gets for questions, and also for fetching."""
 
 PASSED = ("HOME", "PATH", "SUDO_UID", "USER", "XDG_CONFIG_HOME")
 """The caller's variables that say where git is, and whose `safe.directory` counts."""
@@ -75,7 +74,6 @@ def _has_git(place: Path) -> bool:
 
 
 def trusting(place: Path) -> str:
-    """The remedy that makes git read another user's repository."""
     return f"if you trust it: git config --global --add safe.directory {shlex.quote(str(place))}"
 
 

@@ -26,26 +26,17 @@ BUILDER_SECONDS = 60.0
 
 @dataclass(frozen=True)
 class Services:
-    """The content of ``.state/services.json``.
-
-    Attributes:
-        registry: the address of the local registry, ``127.0.0.1:PORT``, which speaks plain http; empty on a client of another one.
-        buildx: the command that calls buildx, e.g. ``("docker", "buildx")``.
-        builder_kind: ``buildkitd`` (our own), ``docker`` (a container of the user's Docker) or ``user`` (theirs).
-        buildx_config: buildx' configuration folder; None for the user's own.
-        ca_bundle: the user's CA bundle, absolute; empty if the system's certificates count.
-        bases: the command that gives base images, as `base_images` says; empty if they are those of matrix.yaml.
-    """
+    """The content of ``.state/services.json``."""
 
     root: Path
-    registry: str
-    buildx: tuple[str, ...]
+    registry: str  # the local one's address, which speaks plain http; empty on a client of another one
+    buildx: tuple[str, ...]  # the command, e.g. ``("docker", "buildx")``
     builder: str
-    builder_kind: str
-    buildx_config: Path | None
+    builder_kind: str  # ``buildkitd`` (our own), ``docker`` (a container of the user's Docker) or ``user`` (theirs)
+    buildx_config: Path | None  # the folder; None for the user's own
     uv: str
-    ca_bundle: str
-    bases: tuple[str, ...]
+    ca_bundle: str  # the user's, an absolute path; empty if the system's certificates count
+    bases: tuple[str, ...]  # the command that makes base images (`base_images`); empty for those of matrix.yaml
 
     @classmethod
     def load(cls, root: Path, required: bool = True) -> Services:

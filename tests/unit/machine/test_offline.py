@@ -159,9 +159,9 @@ def test_layout(tmp_path: Path) -> None:
 
 def test_same_content_same_digest(tmp_path: Path) -> None:
     write_tar(tmp_path / "root.tar")
-    first = debian.write_layout(tmp_path / "a", tmp_path / "root.tar", "bookworm", "amd64")
+    first = debian.write_image(tmp_path / "a", tmp_path / "root.tar", "bookworm", "amd64")
     os.utime(tmp_path / "root.tar", (1, 1))
-    assert debian.write_layout(tmp_path / "b", tmp_path / "root.tar", "bookworm", "amd64") == first
+    assert debian.write_image(tmp_path / "b", tmp_path / "root.tar", "bookworm", "amd64") == first
 
 
 def fake_mmdebstrap(folder: Path, text: str, monkeypatch: pytest.MonkeyPatch) -> None:

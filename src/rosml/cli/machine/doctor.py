@@ -32,15 +32,11 @@ STYLES = {"ok": "green", "note": "yellow", "wrong": "red"}
 
 @dataclass(frozen=True)
 class Finding:
-    """The state of one thing that rosml uses.
-
-    Attributes:
-        found: what this machine has of it.
-    """
+    """The state of one thing that rosml uses."""
 
     name: str
     state: Literal["ok", "note", "wrong"]
-    found: str
+    found: str  # what this machine has of it
     remedy: str = ""
 
 
@@ -91,7 +87,6 @@ def system() -> Iterator[Finding]:
 
 
 def disk() -> Iterator[Finding]:
-    """Room for images and builds, and what a first image needs."""
     from rosml.images.builds.disk import gigabytes, needed_mb
     from rosml.images.image_set import load
 
@@ -109,7 +104,6 @@ def disk() -> Iterator[Finding]:
 
 
 def engine() -> Iterator[Finding]:
-    """docker or podman, and whether it can hand in the machine's GPUs."""
     from rosml.run import engine as engines
     from rosml.run.host import host
     from rosml.run.plugins import gpu as gpus
@@ -133,7 +127,6 @@ def engine() -> Iterator[Finding]:
 
 
 def gpu() -> Iterator[Finding]:
-    """GPUs, their driver, and which images it runs."""
     from rosml.run.host import host
     from rosml.run.plugins import gpu as gpus
 

@@ -39,7 +39,6 @@ PREINSTALLED = (
 TESTS = click.option("--tests", is_flag=True, help="also install a registry and pytest, for its tests")
 
 PROGRAM = (sys.executable, str(ROOT / "scripts/bootstrap.py"))
-"""The command that starts from a bare Python."""
 
 
 def bootstrap() -> None:
@@ -75,8 +74,6 @@ def bring_up(root: Path) -> None:
 
 
 class Step(Command):
-    """A command of `rosml setup`. It installs the Python packages first."""
-
     def __init__(self, *arguments: Any, **settings: Any) -> None:
         super().__init__(*arguments, kept=KEPT, before=(bootstrap,), **settings)
 
@@ -114,29 +111,25 @@ def main(context: click.Context) -> None:
     if context.invoked_subcommand is None:
         checkout.require()
         bootstrap()
-        state = state_of_checkout()
-        _up(state, _docker_hub(state))
+        _up(_docker_hub())
 
 
 @main.command(short_help="Installs missing tools.")
 def tools() -> None:
     """Finds the tools that builds need, and installs missing ones."""
-    state = state_of_checkout()
-    _tools(state, _docker_hub(state))
+    _tools(_docker_hub())
 
 
 @main.command(short_help="Installs missing tools, starts the registry and the builder.")
 def up() -> None:
     """Finds or installs the tools, then starts the local registry and the builder."""
-    state = state_of_checkout()
-    _up(state, _docker_hub(state))
+    _up(_docker_hub())
 
 
 @main.command(hidden=True)
 def suite() -> None:
     """Does what `up` does, for `make test`: also installs Docker, Chromium, actionlint and composecheck if they are missing."""
-    state = state_of_checkout()
-    _up(state, _docker_hub(state), tests=True)
+    _up(_docker_hub(), tests=True)
 
 
 @main.command(short_help="Installs the Python packages alone: enough for a registry.")
@@ -145,8 +138,9 @@ def client() -> None:
     from rosml.machine.services import Services
     from rosml.machine.setup import services
 
-    state = state_of_checkout()
-    _installer(state).report()
+    installer = _installer()
+    installer.report()
+    state = installer.state
     if not services.written(state):
         Services(ROOT, "", (), "", "", None, state.uv, state.ca_bundle, bases=()).save()
 
@@ -154,7 +148,7 @@ def client() -> None:
 @main.command(hidden=True)
 def linters() -> None:
     """Installs the Python packages for linters, and builds actionlint and composecheck in some seconds."""
-    installer = _installer(state_of_checkout())
+    installer = _installer()
     if not installer.on_path("actionlint", "--version"):
         installer.go_program("actionlint")
     installer.go_program("composecheck")
@@ -166,11 +160,10 @@ def emulate() -> None:
     """Lets this machine build and test for the other architecture, with QEMU."""
     from rosml.machine.setup import builder, emulation
 
-    state = state_of_checkout()
-    hub = _docker_hub(state)
-    if emulation.ensure(_installer(state), hub):
-        builder.stop(state)  # it looks for architectures once, when it starts
-    _up(state, hub)
+    installer, hub = _installer(), _docker_hub()
+    if emulation.ensure(installer, hub):
+        builder.stop(installer.state)  # it looks for architectures once, when it starts
+    _up(hub)
 
 
 @main.command(hidden=True)
@@ -178,7 +171,7 @@ def browser() -> None:
     """Installs Chromium if it is missing: tests open the catalogue's page in it."""
     from rosml.machine.setup.tools import browser_packages
 
-    _installer(state_of_checkout()).debian_packages(browser_packages())
+    _installer().debian_packages(browser_packages())
 
 
 @main.command(short_help="Finds or builds trivy, which looks for vulnerabilities.")
@@ -198,7 +191,7 @@ def signer(tests: bool) -> None:
 @main.command(short_help="Builds regctl, which reads and copies images in registries.")
 def regctl() -> None:
     """Builds regctl into .state/bin: the pages of the documentation read and copy images with it. No other command needs it."""
-    installer = _installer(state_of_checkout())
+    installer = _installer()
     terminal.echo(installer.go_program("regctl"))
     installer.drop_go_caches()
 
@@ -263,41 +256,42 @@ def state_of_checkout() -> State:
     return State(ROOT, terminal.echo, os.environ.get(UV, ""), os.environ.get("ROSML_CA_BUNDLE", ""))
 
 
-def _installer(state: State) -> Installer:
+def _installer() -> Installer:
     from rosml.machine.setup.installer import Installer
 
-    return Installer(state)
+    return Installer(state_of_checkout())
 
 
-def _docker_hub(state: State) -> bool:
+def _docker_hub() -> bool:
     """Whether Docker Hub answers. Docker needs it for the builder; without Docker, base images are made here at once."""
     from rosml.machine.setup import network
     from rosml.machine.setup.tools import docker_is_there
 
-    return network.docker_hub_answers(state.ca_bundle, attempts=3 if docker_is_there(_installer(state)) else 1)
+    installer = _installer()
+    return network.docker_hub_answers(installer.state.ca_bundle, attempts=3 if docker_is_there(installer) else 1)
 
 
-def _tools(state: State, hub: bool, tests: bool = False) -> Services:
+def _tools(hub: bool, tests: bool = False) -> Services:
     from rosml.machine.setup.tools import install
 
+    state = state_of_checkout()
     state.say("Docker Hub: answers" if hub else "Docker Hub: does not answer; Debian base images are made here")
     return install(state, hub, tests)
 
 
-def _up(state: State, hub: bool, tests: bool = False) -> None:
+def _up(hub: bool, tests: bool = False) -> None:
     from rosml.base.units import duration
     from rosml.machine.setup import services
 
-    started = time.monotonic()
-    services.up(state, _tools(state, hub, tests))
+    state, started = state_of_checkout(), time.monotonic()
+    services.up(state, _tools(hub, tests))
     state.say(f"setup: done in {duration(time.monotonic() - started)}")
 
 
 def _program(name: str, version_argument: str, file: str, tests: bool) -> None:
-    """Finds or builds the scanner or the signer, and saves its path."""
     from rosml.base import files
 
-    installer = _installer(state_of_checkout())
+    installer = _installer()
     path = installer.on_path(name, version_argument) or installer.go_program(name)
     if tests:
         installer.go_program("registry")

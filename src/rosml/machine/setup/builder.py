@@ -187,7 +187,6 @@ def _start_docker(state: State, services: Services, image: str, bridge: Bridge |
 
 
 def _is_configured(state: State, services: Services, text: str) -> bool:
-    """Whether a builder in Docker was made with a configuration."""
     file = _docker_config(state)
     return file.exists() and file.read_text() == text and _record(state, services).exists()
 
@@ -220,7 +219,6 @@ def _boot(state: State, services: Services) -> None:
 
 
 def _create(services: Services, options: Sequence[str]) -> None:
-    """(Re)creates buildx' record of the builder."""
     env = services.environment()
     output_of([*services.buildx, "rm", "--force", "--keep-state", services.builder], 60.0, env=env)
     argv = [*services.buildx, "create", "--name", services.builder, *options]
@@ -254,7 +252,6 @@ def _up_own(state: State, services: Services) -> None:
 
 
 def _reason(state: State) -> Path:
-    """The file with the reason why steps share the machine's network although a bridge would be possible."""
     return state.run / "shared-network"
 
 
@@ -325,7 +322,6 @@ def _enclosed(state: State, bridge: Bridge | None) -> str:
 
 
 def stop(state: State) -> bool:
-    """Stops our own buildkitd, and keeps its cache. Returns whether it ran."""
     stopped = daemon(state).stop()
     _tidy(state.folder / "buildkit")
     if bridge := Bridge.read(state.run / "buildkitd.toml"):
@@ -345,7 +341,6 @@ def _tidy(root: Path) -> None:
 
 
 def is_build_step(pid: int, root: Path) -> bool:
-    """Whether the root file system of a process is an overlay in the builder's folder."""
     try:
         lines = Path(f"/proc/{pid}/mountinfo").read_text(errors="surrogateescape").splitlines()
     except OSError:
@@ -363,7 +358,6 @@ def unmount_below(folder: Path) -> None:
 
 
 def mounted_below(folder: Path) -> list[str]:
-    """The mount points in a folder, outer ones first."""
     lines = Path("/proc/self/mounts").read_text().splitlines()
     points = [re.sub(r"\\([0-7]{3})", lambda match: chr(int(match[1], 8)), line.split(" ")[1]) for line in lines]
     return [point for point in points if point.startswith(f"{folder}/")]

@@ -18,15 +18,10 @@ _LINES = re.compile(r'^  maxUsedSpace = "(\d+)GB"\n  minFreeSpace = "(\d+)GB"$',
 
 @dataclass(frozen=True)
 class CacheLimits:
-    """The limits of a builder's cache, in GB.
-
-    Attributes:
-        used: what the cache may take.
-        free: free blocks below which the builder prunes it.
-    """
+    """The limits of a builder's cache, in GB."""
 
     used: int = LARGEST
-    free: int = FREE
+    free: int = FREE  # free blocks below which the builder prunes it
 
     @classmethod
     def kept(cls, file: Path, folder: Path) -> CacheLimits:

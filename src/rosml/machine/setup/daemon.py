@@ -23,20 +23,14 @@ LOG_LIMIT = 10_000_000
 
 @dataclass(frozen=True)
 class Daemon:
-    """One service.
-
-    Attributes:
-        argv: its command line. It has a file of this checkout, so no other checkout has the same.
-        config: the file that it reads when it starts. If the file changes, it restarts.
-        launcher: a command, with arguments, that prepares the process and then becomes the service.
-    """
+    """One service."""
 
     state: State
     name: str
-    argv: tuple[str, ...]
-    config: Path
+    argv: tuple[str, ...]  # has a file of this checkout, so no other checkout has the same
+    config: Path  # read when it starts; if the file changes, it restarts
     env: Mapping[str, str]
-    launcher: tuple[str, ...] = ()
+    launcher: tuple[str, ...] = ()  # a command that prepares the process and then becomes the service
 
     @property
     def log(self) -> Path:
@@ -48,7 +42,6 @@ class Daemon:
         return self.state.run / f"{self.name}.read"
 
     def pid(self) -> int | None:
-        """The process of the service, if it runs."""
         return next((pid for pid in processes() if command_line(pid) == self.argv), None)
 
     def current(self) -> bool:
@@ -81,7 +74,6 @@ class Daemon:
 
 
 def fingerprint(path: Path) -> str:
-    """The hash of a file's content; empty if the file is missing."""
     try:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError:
@@ -102,7 +94,6 @@ def command_line(pid: int) -> tuple[str, ...]:
 
 
 def wait_until(condition: Callable[[], bool], seconds: float, pause: float = 0.1) -> bool:
-    """Waits for a condition. Returns whether it became true in time."""
     end = time.monotonic() + seconds
     while not condition():
         if time.monotonic() > end:

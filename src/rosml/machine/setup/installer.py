@@ -50,8 +50,6 @@ def dotted(version: Version) -> str:
 
 
 class Installer:
-    """Finds or installs programs for one checkout."""
-
     def __init__(self, state: State) -> None:
         self.state = state
         self.have: list[str] = []
@@ -89,7 +87,6 @@ class Installer:
         return None
 
     def outer_path(self) -> str:
-        """PATH without our own folder."""
         entries = os.environ.get("PATH", os.defpath).split(os.pathsep)
         return os.pathsep.join(entry for entry in entries if entry and Path(entry) != self.state.bin)
 
@@ -210,7 +207,6 @@ class Installer:
 
     # ---- Debian ---------------------------------------------------------------------------------------------------
     def apt(self, packages: Mapping[str, str], root: Sequence[str] = ()) -> str:
-        """The path of apt-get, if it may install packages, whose names have their purposes."""
         missing = f"missing: {reasons_of(packages)}"
         apt = which_system("apt-get")
         if apt is None:
@@ -220,7 +216,6 @@ class Installer:
         return apt
 
     def debian_packages(self, packages: Mapping[str, str], root: Sequence[str] = ()) -> None:
-        """Announces and installs Debian packages. `root`: the words before a command that runs as root, if this process does not."""
         if not packages:
             return
         apt, say = self.apt(packages, root), self.state.say
@@ -239,12 +234,10 @@ class Installer:
 
 
 def reasons_of(packages: Mapping[str, str]) -> str:
-    """``runc (runs build steps), mmdebstrap (...)``."""
     return ", ".join(f"{package} ({why})" for package, why in packages.items())
 
 
 def by_hand(packages: Mapping[str, str]) -> str:
-    """The command that installs Debian packages."""
     return f"apt-get update && apt-get install --no-install-recommends {' '.join(packages)}"
 
 

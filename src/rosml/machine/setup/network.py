@@ -57,7 +57,6 @@ def _is_registry(answer: httpx.Response) -> bool:
 
 
 def answers(address: str) -> bool:
-    """Whether a server answers in time, with whatever."""
     try:
         with web.client(timeout=HUB_SECONDS) as client:
             client.head(address)
@@ -67,7 +66,6 @@ def answers(address: str) -> bool:
 
 
 def registry_answers(address: str) -> bool:
-    """Whether a registry answers on a loopback address, without a proxy."""
     try:
         with (
             web.client(timeout=3.0, trust_env=False, verify=False) as client,
@@ -96,7 +94,6 @@ def free_port() -> int:
 
 
 def socket_answers(path: str) -> bool:
-    """Whether something accepts connections on a unix socket."""
     with socket.socket(socket.AF_UNIX) as probe:
         probe.settimeout(3.0)
         try:

@@ -20,18 +20,14 @@ HEARTBEAT_SECONDS = 20.0
 
 @dataclass(frozen=True)
 class Call:
-    """A call of a program whose output goes to a log.
-
-    Attributes:
-        finish_on_interrupt: after Ctrl-C, let the command finish first (do not interrupt dpkg).
-    """
+    """A call of a program whose output goes to a log."""
 
     title: str
     argv: Sequence[str]
     log: Path
     env: Mapping[str, str] | None = None
     cwd: Path | None = None
-    finish_on_interrupt: bool = False
+    finish_on_interrupt: bool = False  # after Ctrl-C, let the command finish first (do not interrupt dpkg)
 
 
 def output_of(argv: Sequence[str], seconds: float = 20.0, env: Mapping[str, str] | None = None) -> str:
@@ -92,7 +88,6 @@ def detached(call: Call) -> subprocess.Popen[bytes]:
 
 
 def end_group(process: subprocess.Popen[bytes]) -> None:
-    """Ends a command in its own session, with all its children."""
     for kind, patience in ((signal.SIGTERM, 10.0), (signal.SIGKILL, None)):
         with suppress(ProcessLookupError):
             os.killpg(process.pid, kind)

@@ -20,7 +20,6 @@ from rosml.machine.setup.state import State
 from rosml.registry import credentials
 
 PASSWORD = "registry.password"
-"""The file with the password of the registry."""
 
 USER = "rosml"
 """The user name for the registry's password; any other works, too."""
@@ -107,7 +106,6 @@ def password(state: State) -> str:
 
 
 def _write_private(file: Path, text: str) -> None:
-    """Writes a file that only this user may read."""
     file.touch(mode=0o600)
     file.chmod(0o600)
     files.write(file, text)

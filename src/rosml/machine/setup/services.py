@@ -16,7 +16,6 @@ from rosml.machine.setup.state import State
 
 
 def up(state: State, tools_of_machine: Services) -> None:
-    """Starts the registry and the builder with these tools unless they run, and writes services.json."""
     services = replace(tools_of_machine, registry=registry.up(state))
     builder.up(state, services, tools.buildkit_image(state))
     services.save()

@@ -19,19 +19,13 @@ LONGEST_SOCKET_PATH = 107
 
 @dataclass(frozen=True)
 class State:
-    """The paths of a checkout's state, and facts from scripts/bootstrap.py.
-
-    Attributes:
-        say: gets messages, a line each.
-        ca_bundle: the user's own certificates; empty if the system's count.
-        cache: what all checkouts of this user may take from one another.
-    """
+    """The paths of a checkout's state, and facts from scripts/bootstrap.py."""
 
     root: Path
     say: Callable[[str], object] = lambda line: None
     uv: str = ""
-    ca_bundle: str = ""
-    cache: Path = field(default_factory=user_cache)
+    ca_bundle: str = ""  # the user's own; empty if the system's certificates count
+    cache: Path = field(default_factory=user_cache)  # what all checkouts of this user may take from one another
 
     @property
     def folder(self) -> Path:

@@ -25,11 +25,9 @@ from rosml.machine.setup.process import output_of
 
 PLUGINS = ("bridge", "firewall", "host-local", "loopback")
 FOLDERS = ("/usr/lib/cni", "/opt/cni/bin", "/usr/libexec/cni")
-"""The folders of plugins on different systems."""
 POOL = 4
 """How many namespaces are kept ready, so that steps start as fast as on the machine's network."""
 ADDRESSES = Path("/var/lib/cni/networks/buildkit")
-"""The folder with a file for each used address."""
 RULES = (
     ("filter", "INPUT", "-j REJECT"),
     ("filter", "FORWARD", "-d 169.254.0.0/16 -p tcp ! --dport 53 -j REJECT"),
@@ -77,7 +75,6 @@ for program; do command -v "$program" >/dev/null || echo "$program"; done
 echo .
 """
 IMAGE_CONFIG = "/etc/buildkit/buildkitd.toml"
-"""The path to which buildx copies the configuration."""
 IMAGE_NAMESPACES = "/var/lib/buildkit/net/cni"
 
 
@@ -91,7 +88,6 @@ class Bridge:
 
     @classmethod
     def read(cls, config: Path) -> Bridge | None:
-        """The bridge in a buildkitd.toml."""
         try:
             return cls.parse(config.read_text())
         except OSError:
@@ -107,7 +103,6 @@ class Bridge:
             return None
 
     def lines(self) -> list[str]:
-        """Its lines in buildkitd.toml, in the table of its worker."""
         return [
             '  networkMode = "bridge"',
             f'  bridgeName = "{self.name}"',
@@ -119,17 +114,11 @@ class Bridge:
 
 @dataclass(frozen=True)
 class Place:
-    """The place of a buildkitd.
+    """The place of a buildkitd."""
 
-    Attributes:
-        prefix: the words before a command that runs there, in the machine's network; empty on this machine.
-        namespaces: the folder of its namespaces, as such a command sees it.
-        dns_probe: a command that gets name servers, and ends with 0 if one of them answers.
-    """
-
-    prefix: tuple[str, ...]
-    namespaces: str
-    dns_probe: tuple[str, ...]
+    prefix: tuple[str, ...]  # before a command that runs there, in the machine's network; empty on this machine
+    namespaces: str  # their folder, as such a command sees it
+    dns_probe: tuple[str, ...]  # takes name servers, and ends with 0 if one of them answers
 
     @classmethod
     def here(cls, buildkitd: int, namespaces: Path) -> Place:
@@ -147,7 +136,6 @@ class Container:
 
     @classmethod
     def of(cls, record: Path, image: str) -> Container | None:
-        """The container in buildx' record."""
         try:
             node = (untrusted.json_object(record.read_bytes()) or {})["Nodes"][0]
             endpoint, name = str(node["Endpoint"]), str(node["Name"])
@@ -157,7 +145,6 @@ class Container:
         return cls(("docker", where, endpoint), f"buildx_buildkit_{name}", image)
 
     def inside(self) -> tuple[str, ...]:
-        """The words before a command that runs in it."""
         return (*self.docker, "exec", self.name)
 
     def beside(self, *options: str) -> tuple[str, ...]:
@@ -172,7 +159,6 @@ class Container:
         return Place(self.inside(), namespaces, ("sh", "-c", ASK_BY_SHELL, "sh"))
 
     def running(self) -> Bridge | None:
-        """The bridge of its buildkitd."""
         return Bridge.parse(output_of([*self.inside(), "cat", IMAGE_CONFIG]))
 
     def bridge(self, root: Path) -> Bridge | str:
@@ -201,12 +187,10 @@ class Container:
 
 
 def plugins() -> Path | None:
-    """The folder of the plugins, if there is one."""
     return next((Path(name) for name in FOLDERS if all(os.path.exists(f"{name}/{x}") for x in PLUGINS)), None)
 
 
 def missing_packages() -> dict[str, str]:
-    """Debian packages that it needs, each with its purpose."""
     packages = {}
     if not plugins():
         packages["containernetworking-plugins"] = "gives build steps a network of their own"
@@ -216,7 +200,6 @@ def missing_packages() -> dict[str, str]:
 
 
 def bridge(root: Path) -> Bridge | str:
-    """The bridge of a checkout, or the reason why there is none."""
     if lacking := missing_packages():
         return f"without {' and '.join(lacking)}"
     if not nameservers():
@@ -264,19 +247,14 @@ def nameservers(prefix: Sequence[str] = (), files: Sequence[str] = RESOLV, loopb
 
 
 def _text(prefix: Sequence[str], file: str) -> str:
-    """The text of a file, here or at a command's place."""
     return output_of([*prefix, "cat", file]) if prefix else Path(file).read_text(errors="replace")
 
 
 def enclose(bridge: Bridge, place: Place, proven: bool = True) -> str:
     """Closes the machine's own addresses to steps, and checks that they reach others. You may call it again.
 
-    Args:
-        proven: steps had that network before. Otherwise a name server must answer them: if the machine itself reaches none, we cannot
-            tell whether one would.
-
-    Returns:
-        Why steps cannot have such a network; empty if they can.
+    Returns why steps cannot have such a network; empty if they can. `proven`: they had it before, so that the check may be skipped if the
+    machine itself reaches no name server.
     """
     for table, chain, rule in RULES:
         iptables = [*place.prefix, _program(place.prefix, "iptables"), "-w", "5", "-t", table]
@@ -305,11 +283,7 @@ def enclose(bridge: Bridge, place: Place, proven: bool = True) -> str:
 
 
 def tidy(bridge: Bridge, prefix: Sequence[str] = ()) -> None:
-    """Removes the remains of a stopped buildkitd: the bridge, and rules and addresses if it was killed.
-
-    Args:
-        prefix: the words before a command that runs on Docker's machine; empty for this machine.
-    """
+    """Removes the remains of a stopped buildkitd: the bridge, and rules and addresses if it was killed."""
     subnet = ipaddress.IPv4Network(bridge.subnet)
     commands, table = [], ""
     for line in output_of([*prefix, _program(prefix, "iptables-save")]).splitlines():

@@ -85,7 +85,6 @@ class ToolCache:
 
 
 _NAME = re.compile(r"\.?[a-z]+-v?[\w.+-]+-[0-9a-f]{16}-\w+(\.\d+\.partial)?")
-"""The name of a program, or of a file of an interrupted call."""
 
 
 def _is_trusted(facts: os.stat_result) -> bool:

@@ -20,11 +20,9 @@ OLDEST_BUILDX = (0, 26)
 BUILDER = "rosml"
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chromium-headless-shell")
-"""Browsers for the tests of the catalogue's page. They take the first one that is installed."""
 
 
 def docker_is_there(installer: Installer) -> bool:
-    """Whether the user's Docker daemon answers."""
     return _docker(installer, "info", "--format", "{{.ServerVersion}}").strip() != ""
 
 
@@ -39,7 +37,6 @@ def _docker(installer: Installer, *arguments: str) -> str:
 
 
 def buildkit_image(state: State) -> str:
-    """BuildKit's image, by its digest. Its release is that of the buildkitd that we build if there is no Docker."""
     return pinned_image(state.root, "moby/buildkit")
 
 
@@ -72,7 +69,6 @@ def choose_builder(installer: Installer, hub: bool) -> tuple[str, str]:
 
 
 def missing_packages(kind: str, hub: bool) -> dict[str, str]:
-    """Debian packages to install, each with its purpose."""
     packages: dict[str, str] = {}
     if kind == "buildkitd" and not (which_system("runc") or which_system("crun")):
         packages["runc"] = "runs build steps"
