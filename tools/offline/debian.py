@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import gzip
 import hashlib
+import io
 import json
 import os
 import shlex
@@ -16,20 +17,18 @@ import subprocess
 import sys
 import tarfile
 import time
+from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 from offline.official import debian_suite, missing
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.images.builds.base_images import native_architecture
 from rosml.machine.services import Services
+from rosml.registry import oci
 from rosml.registry.client import Registry
-from rosml.registry.oci import INDEX
 
 EPOCH = 1767225600
-MANIFEST = "application/vnd.oci.image.manifest.v1+json"
-CONFIG = "application/vnd.oci.image.config.v1+json"
 LAYER = "application/vnd.oci.image.layer.v1.tar+gzip"
 REPOSITORY = "library/debian"
 BINFMT = Path("/proc/sys/fs/binfmt_misc")
@@ -70,12 +69,8 @@ REMOVE = (
 )
 """Files of a made image that depend on this machine or on the day."""
 
-APTS = ("var/cache/apt/archives/partial", "var/lib/apt/lists/partial")
-"""Folders of apt's own user, as in the official image.
-
-mmdebstrap gives them to it only if that user can enter the folder in which the image is made: elsewhere the image would have another
-digest.
-"""
+# mmdebstrap gives them to apt's user only if that user can enter the folder in which the image is made.
+APT_FOLDERS = ("var/cache/apt/archives/partial", "var/lib/apt/lists/partial")
 
 FOLDERS = ("dev",)
 """Folders that mmdebstrap leaves out. A builder would make them, with the present time."""
@@ -94,30 +89,25 @@ def ensure(services: Services, image: str, architecture: str = "") -> dict[str, 
     suite, native = debian_suite(image), native_architecture()
     if architecture in ("", native):
         return {"reference": f"{image}@{debian(services, suite, native)}"}
-    if not emulated(architecture):
-        raise RosmlError(
-            f"a Debian base image for {architecture} cannot be made on {native}: its programs do not run here",
-            f"run 'rosml setup emulate', or use an {architecture} machine, or one that reaches Docker Hub",
-        )
-    digests = [debian(services, suite, name) for name in (native, architecture)]
+    machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(architecture, architecture)
+    if not (BINFMT / f"qemu-{machine}").exists():  # of `rosml setup emulate`
+        text = f"a Debian base image for {architecture} cannot be made on {native}: its programs do not run here"
+        remedy = f"run 'rosml setup emulate', or use an {architecture} machine, or one that reaches Docker Hub"
+        raise RosmlError(text, remedy)
+    digests = {name: debian(services, suite, name) for name in (native, architecture)}
     members = []
     with Registry(services.registry) as registry:
-        for name, digest in zip((native, architecture), digests, strict=True):
+        for name, digest in digests.items():
             manifest = registry.manifest(REPOSITORY, digest)
             assert manifest, "it was just pushed"
             members.append({**manifest.descriptor, "platform": {"os": "linux", "architecture": name}})
-        content = {"schemaVersion": 2, "mediaType": INDEX, "manifests": members}
-        index = registry.put_manifest(REPOSITORY, "", content, INDEX)
+        content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": members}
+        index = registry.put_manifest(REPOSITORY, "", content, oci.INDEX)
     return {"reference": f"{image}@{index}"}
 
 
 def say(line: str) -> None:
     print(line, file=sys.stderr, flush=True)
-
-
-def emulated(architecture: str) -> bool:
-    machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(architecture, architecture)
-    return (BINFMT / f"qemu-{machine}").exists()
 
 
 def debian(services: Services, suite: str, architecture: str) -> str:
@@ -147,7 +137,7 @@ def find(services: Services, tag: str, architecture: str) -> str:
     """The digest of the image that an earlier call made by the same recipe, if the registry still has all of it."""
     services.require_registry()
     try:
-        headers, body = services.get(f"/v2/library/debian/manifests/{tag}", MANIFEST)
+        headers, body = services.get(f"/v2/library/debian/manifests/{tag}", oci.IMAGE)
         manifest = json.loads(body)
         if manifest.get("annotations", {}).get(RECIPE) != recipe(tag, architecture):
             return ""
@@ -171,7 +161,7 @@ def command(suite: str, architecture: str, files: Path, output: Path) -> list[st
         *([f"--aptopt={LENIENT}"] if suite in MOVING else []),
         f"--customize-hook=sync-in {shlex.quote(str(files))} /",
         f"--customize-hook=rm -f {remove}",
-        f'--customize-hook=chroot "$1" chown _apt:root {" ".join(f"/{folder}" for folder in APTS)}',
+        f'--customize-hook=chroot "$1" chown _apt:root {" ".join(f"/{folder}" for folder in APT_FOLDERS)}',
         suite,
         str(output),
     ]
@@ -210,8 +200,8 @@ def make(
         env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
         run_logged(isolated(command(suite, architecture, folder / "files", tar)), env, log, lock)
         add_folders(tar)
-        digest = write_image(folder / "blobs", tar, tag, architecture)
-        push(services, folder / "blobs", digest, tag)
+        manifest, blobs = build_image(tar, tag, architecture)
+        digest = push(services, manifest, blobs, tag)
     except (OSError, tarfile.TarError) as error:
         raise RosmlError(f"base image debian:{tag}: {error}", "check the disk (df), then run it again") from None
     finally:
@@ -251,10 +241,9 @@ def write_files(folder: Path, files: dict[str, tuple[int, str]]) -> None:
             path.chmod(0o755)
 
 
-def write_image(blobs: Path, tar: Path, tag: str, architecture: str) -> str:
-    """Writes the blobs of an image with one gzip layer, by their hashes. Returns the manifest's digest."""
-    blobs.mkdir(parents=True)
-    diff_id, layer = compress(tar, blobs)
+def build_image(tar: Path, tag: str, architecture: str) -> tuple[bytes, tuple[bytes, bytes]]:
+    """The manifest of an image with one gzip layer; its configuration and layer."""
+    diff_id, layer = compress(tar)
     created = time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime(EPOCH))
     path = "PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin"
     config = {
@@ -267,44 +256,27 @@ def write_image(blobs: Path, tar: Path, tag: str, architecture: str) -> str:
     }
     manifest = {
         "schemaVersion": 2,
-        "mediaType": MANIFEST,
-        "config": put(blobs, CONFIG, config),
-        "layers": [layer],
+        "mediaType": oci.IMAGE,
+        "config": oci.descriptor(oci.CONFIG, oci.encoded(config)),
+        "layers": [oci.descriptor(LAYER, layer)],
         "annotations": {RECIPE: recipe(tag, architecture)},
     }
-    return str(put(blobs, MANIFEST, manifest)["digest"])
+    return oci.encoded(manifest), (oci.encoded(config), layer)
 
 
-def compress(tar: Path, blobs: Path) -> tuple[str, dict[str, Any]]:
-    """Compresses a layer into the blobs, without a file name or a date. Returns the digest of its content, and its descriptor."""
-    content = hashlib.sha256()
-    partial = blobs / "partial"
-    with (
-        tar.open("rb") as source,
-        partial.open("wb") as target,
-        gzip.GzipFile(filename="", mode="wb", compresslevel=6, fileobj=target, mtime=0) as packed,
-    ):
+def compress(tar: Path) -> tuple[str, bytes]:
+    """The digest of an archive, and the archive as gzip without a file name or a date."""
+    content, packed = hashlib.sha256(), io.BytesIO()
+    with tar.open("rb") as source, gzip.GzipFile("", "wb", compresslevel=6, fileobj=packed, mtime=0) as out:
         while chunk := source.read(1 << 20):
             content.update(chunk)
-            packed.write(chunk)
-    with partial.open("rb") as packed_file:
-        digest = hashlib.file_digest(packed_file, "sha256").hexdigest()
-    size = partial.stat().st_size
-    partial.rename(blobs / digest)
-    return f"sha256:{content.hexdigest()}", {"mediaType": LAYER, "digest": f"sha256:{digest}", "size": size}
+            out.write(chunk)
+    return f"sha256:{content.hexdigest()}", packed.getvalue()
 
 
-def put(blobs: Path, media_type: str, content: dict[str, Any]) -> dict[str, Any]:
-    data = json.dumps(content, sort_keys=True, separators=(",", ":")).encode()
-    digest = hashlib.sha256(data).hexdigest()
-    (blobs / digest).write_bytes(data)
-    return {"mediaType": media_type, "digest": f"sha256:{digest}", "size": len(data)}
-
-
-def push(services: Services, blobs: Path, digest: str, tag: str) -> None:
-    manifest = (blobs / digest.removeprefix("sha256:")).read_bytes()
-    content = json.loads(manifest)
+def push(services: Services, manifest: bytes, blobs: Sequence[bytes], tag: str) -> str:
+    """Puts an image into the local registry. Returns its digest."""
     with Registry(services.registry) as registry:
-        for blob in (content["config"], *content["layers"]):
-            registry.put_blob(REPOSITORY, (blobs / blob["digest"].removeprefix("sha256:")).read_bytes())
-        registry.put_manifest(REPOSITORY, tag, manifest, MANIFEST)
+        for blob in blobs:
+            registry.put_blob(REPOSITORY, blob)
+        return registry.put_manifest(REPOSITORY, tag, manifest)

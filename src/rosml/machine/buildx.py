@@ -277,16 +277,10 @@ def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[Build
         arguments = command(services, bake, metadata)
         log.write(f"$ {shlex.join(arguments)}\n")
         progress = BuildProgress(sys.stderr, log, summary=bake.glance)
+        env, null, pipe = environment(services, bake), subprocess.DEVNULL, subprocess.PIPE
         try:
             process = subprocess.Popen(
-                arguments,
-                cwd=services.root,
-                env=environment(services, bake),
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=subprocess.PIPE,
-                text=True,
-                errors="replace",
+                arguments, cwd=services.root, env=env, stdin=null, stdout=null, stderr=pipe, text=True, errors="replace"
             )
         except OSError as error:
             raise RosmlError(f"cannot run {arguments[0]}: {error.strerror}", "run 'rosml setup'") from None

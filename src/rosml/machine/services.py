@@ -58,12 +58,7 @@ class Services:
         """The builder of the user's Docker, without a checkout and without a registry. `folder` is for kept files."""
         remedy = "install Docker with buildx, and start it; or call this in a checkout, after 'rosml setup'"
         buildx = ("docker", "buildx")
-        try:
-            done = subprocess.run(
-                [*buildx, "inspect"], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=BUILDER_SECONDS
-            )
-        except (OSError, subprocess.TimeoutExpired) as error:
-            raise RosmlError(f"docker buildx does not answer: {error}", remedy) from None
+        done = _inspect([*buildx, "inspect"], "docker buildx", remedy)
         names = _values(done.stdout, "Name")
         if done.returncode != 0 or not names:
             errors = done.stderr.strip().splitlines() or ["it names no builder"]
@@ -133,18 +128,8 @@ class Services:
             raise RosmlError("the builder is not up", REMEDY)
         if self.builder_kind == "user":
             remedy = f"start your builder '{self.builder}', or unset BUILDX_BUILDER and {REMEDY}"
-        try:
-            done = subprocess.run(
-                [*self.buildx, "inspect", self.builder],
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                text=True,
-                timeout=BUILDER_SECONDS,
-                env=self.environment(),
-                check=False,
-            )
-        except (OSError, subprocess.TimeoutExpired) as error:
-            raise RosmlError(f"the builder '{self.builder}' does not answer: {error}", remedy) from None
+        argv = [*self.buildx, "inspect", self.builder]
+        done = _inspect(argv, f"the builder '{self.builder}'", remedy, self.environment())
         status = _values(done.stdout, "Status")
         if done.returncode != 0 or "running" not in status:
             state = f"is {status[0]}" if status else "does not answer"
@@ -153,6 +138,23 @@ class Services:
         if platform and platform not in platforms:
             text = f"the builder '{self.builder}' does not run programs for {platform}"
             raise RosmlError(text, "run 'rosml setup emulate'")
+
+
+def _inspect(
+    argv: list[str], subject: str, remedy: str, env: dict[str, str] | None = None
+) -> subprocess.CompletedProcess[str]:
+    try:
+        return subprocess.run(
+            argv,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=BUILDER_SECONDS,
+            env=env,
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise RosmlError(f"{subject} does not answer: {error}", remedy) from None
 
 
 def _values(output: str, key: str) -> list[str]:

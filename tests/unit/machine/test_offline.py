@@ -4,7 +4,6 @@ Ubuntu's; nothing half-made is left."""
 from __future__ import annotations
 
 import gzip
-import hashlib
 import json
 import os
 import shutil
@@ -19,6 +18,7 @@ from fakes.stubs import OFFLINE, buildx, calls, load
 from offline import assembler, debian, official
 from rosml.base.errors import RosmlError
 from rosml.machine.services import Services
+from rosml.registry import oci
 from rosml.registry.client import Registry
 
 DEBIAN, UBUNTU = "docker.io/library/debian:bookworm", "docker.io/library/ubuntu:24.04"
@@ -134,34 +134,20 @@ def test_a_mirror_of_a_suite_that_moves_may_be_old(tmp_path: Path) -> None:
     assert debian.recipe("bookworm", "amd64") == debian.recipe("trixie", "amd64") != debian.recipe("sid", "amd64")
 
 
-def write_tar(tar: Path) -> None:
-    """Something to put into a layer."""
-    tar.parent.mkdir(parents=True, exist_ok=True)
+def test_image(tmp_path: Path) -> None:
+    """The same bytes for the same content, whatever the time."""
+    tar = tmp_path / "root.tar"
     tar.write_bytes(b"content" * 1000)
-
-
-def test_layout(tmp_path: Path) -> None:
-    write_tar(tmp_path / "root.tar")
-    layout = tmp_path / "layout"
-    digest = debian.write_layout(layout, tmp_path / "root.tar", "bookworm", "amd64")
-    for blob in (layout / "blobs" / "sha256").iterdir():
-        assert hashlib.sha256(blob.read_bytes()).hexdigest() == blob.name
-    index = json.loads((layout / "index.json").read_text())
-    assert index["manifests"][0]["digest"] == digest
-    manifest = json.loads((layout / "blobs/sha256" / digest.removeprefix("sha256:")).read_text())
-    config = json.loads((layout / "blobs/sha256" / manifest["config"]["digest"].removeprefix("sha256:")).read_text())
-    layer = layout / "blobs/sha256" / manifest["layers"][0]["digest"].removeprefix("sha256:")
-    content = gzip.decompress(layer.read_bytes())
-    assert config["rootfs"]["diff_ids"] == [f"sha256:{hashlib.sha256(content).hexdigest()}"]
-    assert config["created"] == "2026-01-01T00:00:00Z"
-    assert config["architecture"] == "amd64"
-
-
-def test_same_content_same_digest(tmp_path: Path) -> None:
-    write_tar(tmp_path / "root.tar")
-    first = debian.write_image(tmp_path / "a", tmp_path / "root.tar", "bookworm", "amd64")
-    os.utime(tmp_path / "root.tar", (1, 1))
-    assert debian.write_image(tmp_path / "b", tmp_path / "root.tar", "bookworm", "amd64") == first
+    manifest, blobs = debian.build_image(tar, "bookworm", "amd64")
+    config, layer = blobs
+    facts = json.loads(manifest)
+    assert [part["digest"] for part in (facts["config"], *facts["layers"])] == [oci.digest_of(blob) for blob in blobs]
+    assert gzip.decompress(layer) == tar.read_bytes()
+    facts = json.loads(config)
+    assert facts["rootfs"]["diff_ids"] == [oci.digest_of(tar.read_bytes())]
+    assert (facts["created"], facts["architecture"]) == ("2026-01-01T00:00:00Z", "amd64")
+    os.utime(tar, (1, 1))
+    assert debian.build_image(tar, "bookworm", "amd64") == (manifest, blobs)
 
 
 def fake_mmdebstrap(folder: Path, text: str, monkeypatch: pytest.MonkeyPatch) -> None:

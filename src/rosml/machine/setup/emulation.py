@@ -43,9 +43,8 @@ def ensure(installer: Installer, hub: bool, table: Path = TABLE, entries: Path =
     if root is None:
         image = pinned_image(installer.state.root, "tonistiigi/binfmt")
         by_hand = f"docker run --privileged --rm {image} --install {architecture}"
-        raise RosmlError(
-            f"only root may let the kernel run programs of {architecture}", f"call it as root, or: {by_hand}"
-        )
+        text = f"only root may let the kernel run programs of {architecture}"
+        raise RosmlError(text, f"call it as root, or: {by_hand}")
     entry = _entry(entries, name)
     missing = {} if entry else {PACKAGE: f"runs programs of {architecture}"}
     if not probed:
@@ -59,9 +58,7 @@ def ensure(installer: Installer, hub: bool, table: Path = TABLE, entries: Path =
         output_of([*root, "mount", "-t", "binfmt_misc", "binfmt_misc", str(table)])
     if not (table / name).exists():  # installing the package may have done it
         argv = [*root, "tee", str(table / "register")]
-        done = subprocess.run(
-            argv, input=entry, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False
-        )
+        done = subprocess.run(argv, input=entry, capture_output=True, text=True, check=False)
         if done.returncode:
             remedy = "in a container, let its host do this; or take a machine of the architecture itself"
             raise RosmlError(f"the kernel does not take QEMU's entry: {done.stderr.strip()}", remedy)

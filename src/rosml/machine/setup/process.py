@@ -74,14 +74,9 @@ def detached(call: Call) -> subprocess.Popen[bytes]:
         out.write(f"$ {' '.join(call.argv)}\n".encode(errors="surrogateescape"))
         out.flush()
         try:
+            null, env, cwd = subprocess.DEVNULL, call.env, call.cwd
             return subprocess.Popen(
-                call.argv,
-                stdin=subprocess.DEVNULL,
-                stdout=out,
-                stderr=out,
-                env=call.env,
-                cwd=call.cwd,
-                start_new_session=True,
+                call.argv, stdin=null, stdout=out, stderr=out, env=env, cwd=cwd, start_new_session=True
             )
         except OSError as error:
             raise RosmlError(f"{call.title}: cannot run {call.argv[0]}: {error.strerror}") from None

@@ -43,16 +43,16 @@ RESOLVED = "127.0.0.53"
 """The address of systemd-resolved. BuildKit asks that one's servers instead."""
 RESOLV = ("/etc/resolv.conf", "/run/systemd/resolve/resolv.conf")
 
-ASK = """
+DNS_PROBE = """
 import socket, sys
 for server in sys.argv[1:] * 2:
     family = socket.AF_INET6 if ":" in server else socket.AF_INET
-    with socket.socket(family, socket.SOCK_DGRAM) as asking:
-        asking.settimeout(1)
+    with socket.socket(family, socket.SOCK_DGRAM) as probe:
+        probe.settimeout(1)
         try:
-            asking.connect((server, 53))
-            asking.send(b"\\0\\7\\1\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0\\0\\2\\0\\1")
-            asking.recv(512)
+            probe.connect((server, 53))
+            probe.send(b"\\0\\7\\1\\0\\0\\1\\0\\0\\0\\0\\0\\0\\0\\0\\2\\0\\1")
+            probe.recv(512)
         except OSError:
             continue
     sys.exit(0)
@@ -60,17 +60,17 @@ sys.exit(1)
 """
 """Asks servers for the root's name servers. Ends with 0 if one answers, whatever the answer is."""
 
-ASK_BY_SHELL = """
+SHELL_DNS_PROBE = """
 for server in "$@"; do
-    said=$(nslookup -retry=2 -timeout=1 -type=ns . "$server" 2>/dev/null) && exit 0
-    case $said in *"server can't find"*) exit 0 ;; esac
+    answer=$(nslookup -retry=2 -timeout=1 -type=ns . "$server" 2>/dev/null) && exit 0
+    case $answer in *"server can't find"*) exit 0 ;; esac
 done
 exit 1
 """
 """The same with busybox, as BuildKit's image has no Python. "can't find" is an answer."""
 
 IMAGE_PROGRAMS = (*(f"buildkit-cni-{x}" for x in PLUGINS), "ip", "iptables", "iptables-save", "nsenter", "nslookup")
-LACKING = """
+LIST_MISSING = """
 for program; do command -v "$program" >/dev/null || echo "$program"; done
 echo .
 """
@@ -123,7 +123,7 @@ class Place:
     @classmethod
     def here(cls, buildkitd: int, namespaces: Path) -> Place:
         """This machine. The mounts of the process `buildkitd` have the namespaces."""
-        return cls((), f"/proc/{buildkitd}/root{namespaces}", (sys.executable, "-I", "-c", ASK))
+        return cls((), f"/proc/{buildkitd}/root{namespaces}", (sys.executable, "-I", "-c", DNS_PROBE))
 
 
 @dataclass(frozen=True)
@@ -156,14 +156,14 @@ class Container:
         """The place of its buildkitd, which may have mounts that the container itself does not see."""
         pids = [int(word) for word in output_of([*self.inside(), "pidof", "buildkitd"]).split()]
         namespaces = f"/proc/{min(pids, default=1)}/root{IMAGE_NAMESPACES}"
-        return Place(self.inside(), namespaces, ("sh", "-c", ASK_BY_SHELL, "sh"))
+        return Place(self.inside(), namespaces, ("sh", "-c", SHELL_DNS_PROBE, "sh"))
 
     def running(self) -> Bridge | None:
         return Bridge.parse(output_of([*self.inside(), "cat", IMAGE_CONFIG]))
 
     def bridge(self, root: Path) -> Bridge | str:
         """The bridge that it has or can get, or the reason why not."""
-        *lacking, end = output_of([*self.inside(), "sh", "-c", LACKING, "sh", *IMAGE_PROGRAMS]).split() or [""]
+        *lacking, end = output_of([*self.inside(), "sh", "-c", LIST_MISSING, "sh", *IMAGE_PROGRAMS]).split() or [""]
         if not end:
             return "as docker cannot enter its container"
         if lacking:
