@@ -7,7 +7,7 @@ import os
 import platform
 import shutil
 from collections.abc import Callable, Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -36,8 +36,11 @@ class Finding:
 
     name: str
     state: Literal["ok", "note", "wrong"]
-    found: str  # what this machine has of it
+    text: str  # what this machine has of it
     remedy: str = ""
+
+    def to_json(self) -> dict[str, str]:
+        return {"name": self.name, "state": self.state, "found": self.text, "remedy": self.remedy}
 
 
 @click.command(
@@ -59,7 +62,7 @@ def main(as_json: bool) -> None:
     """
     findings = [finding for check in CHECKS for finding in check()]
     if as_json:
-        terminal.echo(json.dumps([asdict(finding) for finding in findings], indent=2))
+        terminal.echo(json.dumps([finding.to_json() for finding in findings], indent=2))
     else:
         show(findings)
     if any(finding.state == "wrong" for finding in findings):
@@ -70,7 +73,7 @@ def show(findings: list[Finding]) -> None:
     width = max(len(finding.name) for finding in findings)
     for finding in findings:
         state = click.style(finding.state.ljust(5), fg=STYLES[finding.state])
-        terminal.echo(f"{state}  {finding.name.ljust(width)}  {finding.found}")
+        terminal.echo(f"{state}  {finding.name.ljust(width)}  {finding.text}")
         if finding.remedy:
             terminal.echo(f"{'':5}  {'':{width}}  → {finding.remedy}")
 
