@@ -161,7 +161,6 @@ Parse = Callable[[str], sets.ImageSet]
 
 
 def parse(text: str) -> sets.ImageSet:
-    """The catalogue of a matrix's text."""
     return load.image_set(source.parse(text.encode()))
 
 
@@ -181,33 +180,28 @@ def write_locks(root: Path, image_set: sets.ImageSet) -> None:
 
 
 def changed(old: str, new: str, text: str = SMALL) -> str:
-    """A matrix's text with one place changed. The place must be there, and only once."""
     assert text.count(old) == 1, f"{text.count(old)} times in the matrix: {old!r}"
     return text.replace(old, new)
 
 
 @pytest.fixture
 def stand_in() -> Iterator[StandIn]:
-    """A registry of a test's own, without an image."""
     with standing_in() as found:
         yield found
 
 
 @pytest.fixture(scope="session")
 def small() -> sets.ImageSet:
-    """The catalogue of the small matrix."""
     return parse(SMALL)
 
 
 @pytest.fixture(scope="session")
 def real() -> sets.ImageSet:
-    """The catalogue of the project's matrix."""
     return load.load(ROOT / "matrix.yaml")
 
 
 @pytest.fixture(scope="session")
 def registry() -> Iterator[str]:
-    """The address of something that answers as a registry does."""
     with answering_registry() as address:
         yield address
 
@@ -220,19 +214,16 @@ def sources(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture
 def project(tmp_path: Path, sources: Path) -> Path:
-    """A test's own copy of all that images are built from."""
     shutil.copytree(sources, tmp_path / "project")
     return tmp_path / "project"
 
 
 @pytest.fixture
 def image_set(project: Path) -> sets.ImageSet:
-    """The catalogue of the smaller matrix, with all locks in the project."""
     return smaller(project)
 
 
 def smaller(project: Path, text: str = SMALLER) -> sets.ImageSet:
-    """The catalogue of the smaller matrix, whose locks are written into a project."""
     found = parse(text)
     write_locks(project, found)
     return locked.with_locks(found, locked.current_locks(found, project))
@@ -240,5 +231,4 @@ def smaller(project: Path, text: str = SMALLER) -> sets.ImageSet:
 
 @pytest.fixture
 def repository(tmp_path: Path) -> Path:
-    """The project with the small matrix and the commands that compare, in a git repository."""
     return projects.copy_with_commands(tmp_path / "project", SMALL)

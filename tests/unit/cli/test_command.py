@@ -30,7 +30,6 @@ from scripts import docs, requirements
 
 @pytest.fixture(autouse=True)
 def signals() -> Iterator[None]:
-    """Puts back what commands do with signals."""
     before = signal.getsignal(signal.SIGTERM), signal.getsignal(signal.SIGINT)
     yield
     signal.signal(signal.SIGTERM, before[0])
@@ -38,7 +37,6 @@ def signals() -> Iterator[None]:
 
 
 def ending(body: Callable[[], None]) -> click.Command:
-    """A command that does nothing but end in some way."""
     return click.Command("x", callback=body, params=[click.Option(["--number"], type=int, expose_value=False)])
 
 
@@ -111,7 +109,6 @@ def test_outside_of_the_virtual_environment(called: str) -> None:
 
 
 def all_commands(command: click.Command, name: str) -> Iterator[tuple[str, click.Command]]:
-    """A command and those below it, by what people type."""
     yield name, command
     for inner, found in command.commands.items() if isinstance(command, click.Group) else ():
         yield from all_commands(found, f"{name} {inner}")
@@ -128,7 +125,6 @@ PROGRAMS["scripts/requirements.py"] = COMMANDS["requirements.py"]
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_help_has_an_example(name: str) -> None:
-    """One that the command's own parser reads."""
     told = COMMANDS[name].get_help(click.Context(COMMANDS[name], info_name=name, **COMMANDS[name].context_settings))
     _, found, examples = told.partition("Example")
     assert found, told
@@ -204,7 +200,6 @@ def test_a_quiet_command_prints_its_result_and_its_error(capfd: pytest.CaptureFi
 
 @pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
 def test_colour_on_a_terminal_only(no_color: str, coloured: bool) -> None:
-    """And not where somebody does not want it. The terminal is one of Python's own making."""
     code = (
         "import sys, click; from rosml.cli import command; from rosml.base.errors import RosmlError\n"
         "def fail() -> None:\n"
@@ -267,7 +262,6 @@ def test_output_on_a_full_disk(more: list[str]) -> None:
 
 @pytest.mark.parametrize("more", ["", "--json", "--json 2>&-"])
 def test_output_that_is_closed(more: str) -> None:
-    """Neither a traceback nor a success that shows nothing."""
     call = f'"$0" -m rosml list {more} >&-'
     done = subprocess.run(["bash", "-c", call, sys.executable], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 1

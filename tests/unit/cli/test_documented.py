@@ -57,7 +57,6 @@ def test_parsers_accept_what_a_page_shows(page: str, real: ImageSet) -> None:
 
 
 def parsed(command: str, image_set: ImageSet, page: str) -> None:
-    """Has a command's own parser read it; commands that are not ours are left to the tests that run them."""
     argv = [word for word in shlex.split(command) if "…" not in word]
     while argv and re.match(r"[A-Z_]+=", argv[0]):
         argv = argv[1:]
@@ -91,7 +90,6 @@ def test_base_images_that_a_page_shows_are_called_like_that(page: str, real: Ima
 
 
 def made(given: list[str], image_set: ImageSet | None) -> None:
-    """A call of make: targets that people are told of, variables that it has, and an image that there is."""
     targets = {line.split(":")[0] for line in MAKEFILE.splitlines() if re.match(r"[a-z0-9-]+:.* ## ", line)}
     for word in given:
         name, equals, value = word.partition("=")

@@ -63,7 +63,6 @@ WORDS = [
 
 
 def commands(group: click.Group, before: str = "") -> Iterator[tuple[str, click.Command]]:
-    """All commands of a group, and of the groups in it."""
     for name, command in group.commands.items():
         yield f"{before}{name}", command
         if isinstance(command, click.Group):
@@ -88,7 +87,6 @@ def test_each_has_its_help(words: str) -> None:
 
 
 def test_its_help_ends_with_where_to_find_more(wheel: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """In the repository before the project has a public address; then at the addresses of pyproject.toml, which a wheel has too."""
     pages = (
         "Help:\n  Pages: docs/. Messages and remedies: docs/troubleshooting.md.\n  Report a problem in the repository "
     )
@@ -224,7 +222,6 @@ def stranger(folder: Path) -> Path:
 
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The wheel as its build backend makes it, unpacked."""
     folder = tmp_path_factory.mktemp("wheel")
     build = [sys.executable, "-m", "hatchling", "build", "-t", "wheel", "-d", str(folder)]
     subprocess.run(build, cwd=ROOT, check=True, capture_output=True)
@@ -257,7 +254,6 @@ def test_what_needs_no_checkout(wheel: Path, tmp_path: Path) -> None:
 
 
 def test_states_of_a_registry(wheel: Path, tmp_path: Path) -> None:
-    """No Docker, no root, no checkout: the registry is enough."""
     with standing_in() as place:
         asked = ("--registry", f"{place.address}/rosml", "--only", IMAGES[0].target, "--json")
         done = installed(wheel, tmp_path, "status", *asked)
@@ -281,7 +277,6 @@ def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
 
 
 def test_an_image_is_run(wheel: Path, tmp_path: Path) -> None:
-    """The table of the engines' options is in the wheel. The engine is a local replacement."""
     engine = '#!/bin/sh\ncase $1 in\n  run) printf "%s|" "$@"; exit 3 ;;\n  image) echo \'{"Id": "x", "Config": {}}\' ;;\n  *) echo "{}" ;;\nesac\n'
     (tmp_path / "docker").write_text(engine)
     (tmp_path / "docker").chmod(0o755)
@@ -293,7 +288,6 @@ def test_an_image_is_run(wheel: Path, tmp_path: Path) -> None:
 
 
 def test_images_are_run_without_what_publishing_needs(wheel: Path, tmp_path: Path) -> None:
-    """Installed without the extra: two packages, and no others."""
     site = tmp_path / "site"
     site.mkdir()
     for name in environment.RUN:
@@ -458,7 +452,6 @@ def told() -> Iterator[str]:
 
 
 def exists(words: list[str]) -> bool:
-    """Whether the first words are a command or a group, with the options that follow them."""
     found: click.Command = main.cli
     while isinstance(found, click.Group) and words and words[0] in found.commands:
         found, words = found.commands[words[0]], words[1:]
@@ -468,7 +461,6 @@ def exists(words: list[str]) -> bool:
 
 
 def unknown_commands(text: str) -> list[str]:
-    """What a text says of `rosml` and there is not."""
     calls = re.findall(r"(?:['(]|[:;] |^ +)rosml ([a-z-]+(?: +(?:--)?[a-z-]+)*)", text, re.MULTILINE)
     return [call for call in calls if not exists(call.split())]
 
@@ -493,7 +485,6 @@ def test_a_join_overwrites_nothing_that_it_reads(wheel: Path, tmp_path: Path) ->
 
 
 def test_an_interrupted_join_ends_at_once(wheel: Path, tmp_path: Path) -> None:
-    """Whatever a registry that never answers is waited for."""
     with socket.create_server(("127.0.0.1", 0)) as hole:
         host = f"127.0.0.1:{hole.getsockname()[1]}"
         env = {"PATH": "/usr/bin:/bin", "HOME": str(tmp_path), "PYTHONPATH": str(wheel)}

@@ -29,7 +29,6 @@ from rosml.registry import failures
 
 REAL = load.load(ROOT / "matrix.yaml")
 PUBLISHED = "ros1-bookworm-core*"
-"""What is in the registry: images of one architecture and of both, that stand on the same."""
 
 CODES = {0, 1, 2, 3, 4}
 """Exit codes as documented: done, failed, wrong input, and two of scans."""
@@ -58,17 +57,10 @@ COMMANDS: dict[str, click.Command] = {
 
 
 class Shop:
-    """A registry, and a checkout whose commands use it."""
-
     def __init__(self, root: Path, server: StandIn, content: StandIn) -> None:
-        """
-        Args:
-            root: the checkout. server: the registry. content: what it holds at first.
-        """
         self.root, self.host, self.server, self.content = root, server.address, server, content
 
     def reset(self) -> None:
-        """Takes back what the commands before have done to the registry."""
         self.server.blobs, self.server.manifests = dict(self.content.blobs), dict(self.content.manifests)
         self.server.tags = {repository: dict(tags) for repository, tags in self.content.tags.items()}
         self.server.requests, self.server.headers = [], []
@@ -78,8 +70,6 @@ class Shop:
 
 
 def copied(content: StandIn, registry: MemoryRegistry, prefix: str) -> None:
-    """Puts what a registry in memory holds into another one, below another prefix."""
-
     def renamed(repository: str) -> str:
         return f"{prefix}/{repository.partition('/')[2]}"
 
@@ -114,7 +104,6 @@ def shop(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shop]:
 
 
 def fill(content: StandIn, root: Path, services: Services, patch: pytest.MonkeyPatch) -> None:
-    """Publishes into every place of a registry."""
     for prefix in ("published", "half", "failed", "moved"):
         place = memory_registry.publisher(root, services, patch)
         place.packages = dict.fromkeys(REAL.matrix.distributions, "monday")
@@ -132,7 +121,6 @@ def fill(content: StandIn, root: Path, services: Services, patch: pytest.MonkeyP
 
 @pytest.fixture(autouse=True)
 def around(shop: Shop, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Commands of the checkout, on a machine of one kind, which reaches nothing but the registry."""
     for module in (call, catalogue, generate, image, locks, part, publish):
         monkeypatch.setattr(module, "ROOT", shop.root)
     monkeypatch.setattr(setup, "is_up", lambda _: True)
@@ -155,7 +143,6 @@ def around(shop: Shop, monkeypatch: pytest.MonkeyPatch) -> None:
 
 TARGETS = st.sampled_from([image.target for image in REAL.images])
 GROUPS = sorted(name for name, targets in REAL.groups.items() if len(targets) < 60)
-"""Those that a call for all of their images does not take seconds for."""
 
 NAMES = st.one_of(
     st.sampled_from([image.target for image in REAL.images if image.target.startswith("ros1-bookworm-core")]),
@@ -168,7 +155,6 @@ NAMES = st.one_of(
 
 @st.composite
 def patterns(draw: st.DrawFn) -> str:
-    """A target with a part of it left open."""
     words = draw(TARGETS).split("-")
     place = draw(st.integers(0, len(words) - 1))
     return "-".join(
@@ -178,7 +164,6 @@ def patterns(draw: st.DrawFn) -> str:
 
 @st.composite
 def typos(draw: st.DrawFn) -> str:
-    """A name with a letter too few, too many, or another one."""
     name = draw(NAMES)
     place = draw(st.integers(0, len(name) - 1))
     letter = draw(st.sampled_from(["", "x", "-", "*", "[", ":", "/", " ", "ü", "\n"]))
@@ -246,12 +231,10 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
         st.sampled_from(["1", "8", "0", "-1", "x"]),
     ),
 }
-"""What is given for an option or argument, by its name in the command."""
 
 
 @st.composite
 def arguments(draw: st.DrawFn, name: str) -> list[str]:
-    """A command line of a command: each of its options may be there."""
     argv: list[str] = []
     behind: list[str] = []
     for parameter in COMMANDS[name].params:
@@ -277,7 +260,6 @@ ALWAYS: Mapping[str, tuple[str, ...]] = {
 
 
 def ended(shop: Shop, name: str, words: list[str], capsys: pytest.CaptureFixture[str]) -> tuple[int, str, str]:
-    """Calls a command in this process: its exit code, and what it said. An error that it does not know goes through."""
     shop.reset()
     argv = [word.replace("{host}", shop.host).replace("{root}", str(shop.root)) for word in words]
     try:
@@ -315,7 +297,6 @@ def test_any_call_ends_as_documented(
 
 
 def status_of(shop: Shop, capsys: pytest.CaptureFixture[str], place: str, *only: str) -> dict[str, dict[str, Any]]:
-    """What `status` says of images, by target."""
     words = ["--registry", f"{{host}}/{place}", "--json", *(word for name in only for word in ("--only", name))]
     code, out, _ = ended(shop, "status", words, capsys)
     assert code == 0
@@ -323,7 +304,6 @@ def status_of(shop: Shop, capsys: pytest.CaptureFixture[str], place: str, *only:
 
 
 NARROW = ("ros1-bookworm-core-torch-cu128", "ros1-bookworm-core-cuda-cu130", "jazzy-wheels-core-tensorflow-cpu")
-"""Images for one architecture, which stand on what is for both; and one for both."""
 
 
 @pytest.mark.parametrize("place", PREFIXES)
@@ -342,7 +322,6 @@ def test_an_image_stands_as_it_stands_whatever_else_is_asked_for(
 
 @pytest.fixture
 def without_services(shop: Shop) -> Iterator[None]:
-    """The checkout as it was cloned: nothing was set up."""
     state = shop.root / ".state"
     state.rename(shop.root / "state")
     yield
@@ -352,7 +331,6 @@ def without_services(shop: Shop) -> Iterator[None]:
 
 @pytest.mark.usefixtures("without_services")
 def test_another_registry_is_read_without_services(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
-    """And one that is not named is that of the services, which are not there."""
     found = status_of(shop, capsys, "published", "ros1-bookworm-core")
     assert found["ros1-bookworm-core"]["state"] == "published"
     words = ["--only", "ros1-bookworm-core"]
@@ -365,7 +343,6 @@ def test_another_registry_is_read_without_services(shop: Shop, capsys: pytest.Ca
 
 @pytest.fixture
 def without_docker_hub(shop: Shop) -> Iterator[None]:
-    """A machine that can build no Ubuntu image, but every part."""
     stubs.services(shop.root, registry=shop.host, bases=stubs.OFFLINE)
     yield
     stubs.services(shop.root, registry=shop.host)
@@ -375,7 +352,6 @@ def without_docker_hub(shop: Shop) -> Iterator[None]:
 def test_parts_are_planned_where_their_images_cannot_be_built(
     shop: Shop, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """With a matrix elsewhere, whose locks are those of the checkout."""
     monkeypatch.setattr(load, "load", LOAD)
     own = shutil.copy(ROOT / "matrix.yaml", tmp_path / "own.yaml")
     words = ["--registry", "{host}/nothing", "--matrix", str(own), "--only", "jazzy-core*", "--json"]
@@ -389,7 +365,6 @@ def test_parts_are_planned_where_their_images_cannot_be_built(
 
 
 def test_a_plan_of_an_image_without_a_lock(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
-    """What it stands on can be built, and it cannot."""
     target = next(image.target for image in REAL.images if image.parent == "ros1-bookworm-core" and not image.locked)
     code, out, err = ended(shop, "plan", ["--registry", "{host}/nothing", "--only", target, "--json"], capsys)
     assert code == 0, err

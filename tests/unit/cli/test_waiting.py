@@ -42,7 +42,6 @@ sys.exit(code)
 
 
 def imported(*words: str) -> set[str]:
-    """The modules that a command imports."""
     environment = {**os.environ, "PYTHONPATH": str(ROOT / "src")}
     argv = [sys.executable, "-c", IMPORTS, *words]
     done = subprocess.run(argv, env=environment, capture_output=True, text=True, check=True)
@@ -62,8 +61,6 @@ def test_a_table_that_is_no_terminals_needs_no_rich() -> None:
 
 
 class Counted:
-    """A function, and how often it was called."""
-
     def __init__(self, function: Any) -> None:
         self.function, self.calls = function, 0
 
@@ -115,7 +112,6 @@ def test_a_name_of_no_image_gives_the_whole_set() -> None:
 
 
 def checkout(folder: Path) -> list[str]:
-    """A checkout whose rosml prints `here`. Returns its command."""
     package = folder / "src/rosml"
     package.mkdir(parents=True)
     shutil.copy(ROOT / "src/__main__.py", folder / "src")
@@ -145,7 +141,6 @@ def test_bytecode_is_beside_sources_otherwise(tmp_path: Path) -> None:
 
 
 def test_bytecode_makes_no_state(tmp_path: Path) -> None:
-    """Commands that need a registry alone leave nothing in a checkout."""
     assert call(checkout(tmp_path), tmp_path, PYTHONDONTWRITEBYTECODE="1") == "here\n"
     assert not (tmp_path / ".state").exists()
 

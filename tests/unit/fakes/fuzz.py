@@ -71,7 +71,6 @@ def problem(parser: Parser, document: bytes, folder: Path) -> str:
 
 
 def _work(module: str, name: str, first: int, count: int, out: Connection) -> None:
-    """Reads documents from one number on, and says of each what is wrong."""
     parser: Parser = importlib.import_module(module).PARSERS[name]
     with open("/proc/self/statm") as file:
         resource.setrlimit(resource.RLIMIT_AS, (int(file.read().split()[0]) * resource.getpagesize() + BYTES,) * 2)
@@ -97,11 +96,6 @@ def _start_server(module: str) -> None:
 
 
 def problems(module: str, name: str, count: int) -> Iterator[str]:
-    """What is wrong with a parser: with the number and the beginning of each document.
-
-    Args:
-        module: that has it among its `PARSERS`. name: of the parser. count: how many documents it reads.
-    """
     _start_server(module)
     first = 0
     while first < count:

@@ -26,14 +26,12 @@ ODD = (
     *(f'"{"x" * 100_000}"', "[" * 60 + "]" * 60, "[" * 200 + "]" * 200, '{"a":' * 200 + "1" + "}" * 200),
     *('"9999-12-31T23:59:59-14:00"', '"0001-01-01T00:00:00+14:00"', '"Fri, 31 Dec 9999 23:59:59 -1400"', '"a:b:c:d"'),
 )
-"""Values of JSON that nobody expects."""
 
 ODD_OF_YAML = (
     *("0x_", "0b_", "0o8", "!!bool x", "!!timestamp x", '!!int ""', "!!float x", "!!null x", "!!binary é", "!!set {a}"),
     *("&a [*a]", "*nowhere", "1:60:60", "2026-99-99", ".inf", "~", "=", "{<<: [1]}", "{? [a] : b}", "!!omap [a]"),
     *("!!python/object:os.system x", "[1]: 2", "? a", "- a", "2026-11-22", "1.10", "yes", "0x" + "f" * 5000),
 )
-"""Values of YAML that nobody expects."""
 
 LETTERS = (
     *(b"\x00", b"\r", b"\r\n", b"\x0b", b"\x0c", b"\x1c", b"\x1b]52;c;\x07", b"\x85", b"\xff", b"\xed\xa0\x80"),
@@ -277,7 +275,6 @@ def _special_xml(document: bytes) -> Iterator[bytes]:
 
 
 def tar_of(*members: tuple[str, bytes]) -> bytes:
-    """A compressed archive."""
     buffer = io.BytesIO()
     with gzip.GzipFile(fileobj=buffer, mode="wb", mtime=0) as stream, tarfile.open(fileobj=stream, mode="w") as tar:
         for name, content in members:
@@ -340,7 +337,6 @@ def _pax(text: bytes) -> bytes:
 
 
 def of_tar(random: Random, document: bytes) -> bytes:
-    """Changed below the compression."""
     try:
         inner = gzip.decompress(document)
     except (OSError, EOFError, ValueError, zlib.error):

@@ -112,7 +112,6 @@ def written(name: str, read: Callable[[Path], object]) -> Callable[[bytes, Path]
 
 
 def text(read: Callable[[str], object]) -> Callable[[bytes, Path], object]:
-    """Reads a document as text that somebody has decoded."""
     return lambda document, folder: read(document.decode(errors="replace"))
 
 
@@ -193,13 +192,11 @@ PACKAGES = {
 
 
 def said_of(document: bytes, folder: Path) -> object:
-    """An archive with this `app.json`."""
     (folder / "report.tar").write_bytes(gzip.decompress(tar_of(("app.json", document))))
     return report.Said(folder / "report.tar", folder / "said", ("linux/amd64",)).apps()
 
 
 def left_of(document: bytes, folder: Path) -> object:
-    """This archive, as tests left it."""
     with contextlib.suppress(zlib.error):  # the builder's is not compressed; some have more than memory holds
         document = zlib.decompressobj(31).decompress(document, 20 << 20)
     (folder / "results.tar").write_bytes(document)
@@ -207,7 +204,6 @@ def left_of(document: bytes, folder: Path) -> object:
 
 
 def job_of(document: bytes, folder: Path) -> object:
-    """What a job made for the one that makes the index, in its artifact."""
     given = {"image-name": "ghcr.io/me/robot", "platform": "amd64", "push": "true"}
     job = ci_job.Job(
         app_inputs.values(given, folder, {}), {}, ci_job.Commit("main", "", True, folder), lambda line: None
@@ -218,7 +214,6 @@ def job_of(document: bytes, folder: Path) -> object:
 
 
 def rosdep_index_of(document: bytes, folder: Path) -> object:
-    """A checkout of ros/rosdistro with this index."""
     (folder / "rosdep").mkdir()
     (folder / "jazzy").mkdir()
     (folder / "rosdep/base.yaml").write_bytes(KEYS)
@@ -228,7 +223,6 @@ def rosdep_index_of(document: bytes, folder: Path) -> object:
 
 
 def rosdep_list_of(document: bytes, folder: Path) -> object:
-    """A checkout of ros/rosdistro with this list."""
     (folder / "rosdep").mkdir()
     (folder / "jazzy").mkdir()
     (folder / "rosdep/base.yaml").write_bytes(document)
@@ -238,7 +232,6 @@ def rosdep_list_of(document: bytes, folder: Path) -> object:
 
 
 def requirements_of(document: bytes, folder: Path) -> object:
-    """Steps of a build read what pip reports."""
     return script("pip_install").requirements(document)
 
 
@@ -248,12 +241,10 @@ def script(name: str) -> ModuleType:
 
 
 def options_of(file: Path) -> object:
-    """A list of packages for pip, with options."""
     return script("pip_install").from_where(["-r", str(file)])
 
 
 def commands_of_compilers(file: Path) -> object:
-    """What packages were compiled with, joined for editors inside and outside of the container."""
     return script("compile_commands").main(file.parents[1], "/home/jo/robot")
 
 
@@ -304,7 +295,6 @@ Version: 1:2.1
 
 
 def dpkg_of(document: bytes, folder: Path) -> object:
-    """What dpkg says of a base image."""
     file = folder / "var/lib/dpkg/status"
     file.parent.mkdir(parents=True)
     file.write_bytes(document)
@@ -313,7 +303,6 @@ def dpkg_of(document: bytes, folder: Path) -> object:
 
 
 def elf_of(document: bytes, folder: Path) -> object:
-    """What a program or a library says of itself."""
     (folder / "file").write_bytes(document)
     return script("elf").elf(folder / "file"), script("elf").symbols(folder / "file")
 
@@ -382,7 +371,6 @@ REFS = f"{'c' * 40}\tHEAD\n{'c' * 40}\trefs/heads/main\n{'d' * 40}\trefs/tags/1.
 
 
 def submodules_of(document: bytes, folder: Path) -> object:
-    """Submodules of a repository, as git says them."""
     links = [f"160000 {'d' * 40} 0\ta\0160000 {'e' * 40} 0\tb\0"]
 
     def git(*words: str, **_: object) -> str:
@@ -397,8 +385,6 @@ def submodules_of(document: bytes, folder: Path) -> object:
 
 
 def refs_of(found: str) -> object:
-    """A server's refs, as git says them."""
-
     def git(*_: str) -> str:
         return found
 
@@ -407,7 +393,6 @@ def refs_of(found: str) -> object:
 
 
 def repository_of(document: bytes, folder: Path) -> object:
-    """Files of a repository that tell `rosml init` something."""
     for name in (".git/config", ".git/HEAD", ".gitlab-ci.yml", "docker/Dockerfile", ".gitignore"):
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_bytes(document)
@@ -418,7 +403,6 @@ def repository_of(document: bytes, folder: Path) -> object:
 
 
 def lists_of(document: bytes, folder: Path) -> object:
-    """The lists of packages of a repository."""
     (folder / "docker").mkdir()
     for name in ("additional-debs.txt", "additional-pip-requirements.txt", "blacklisted-packages.txt"):
         (folder / "docker" / name).write_bytes(document)
@@ -429,7 +413,6 @@ def lists_of(document: bytes, folder: Path) -> object:
 
 
 def projects_of(document: bytes, folder: Path) -> object:
-    """Packages with and without a manifest."""
     for name in ("a/package.xml", "b/CMakeLists.txt"):
         (folder / "src" / name).parent.mkdir(parents=True)
         (folder / "src" / name).write_bytes(MANIFEST if name == "a/package.xml" else document)
@@ -437,8 +420,6 @@ def projects_of(document: bytes, folder: Path) -> object:
 
 
 def contents_of(name: str) -> Callable[[bytes, Path], object]:
-    """What files of an image say of its packages."""
-
     def read(document: bytes, folder: Path) -> object:
         (folder / "file").write_bytes(document)
         return script("contents").packages({name: folder / "file"}, [document.decode(errors="replace")], ())
@@ -465,7 +446,6 @@ ENTRY = store.Entry(
 
 
 def entry_of(document: bytes, folder: Path) -> object:
-    """The annotation of a record, and an entry that is attached to an image."""
     registry = MemoryRegistry()
     records = store.Records(Place(registry, PREFIX))
     annotation = document.decode(errors="replace")
@@ -477,14 +457,11 @@ def entry_of(document: bytes, folder: Path) -> object:
 
 
 def scan_of(document: bytes, folder: Path) -> object:
-    """What a record says of a scan."""
     entry = store.parse({**ENTRY, "scan": untrusted.json_of(document, "a")})
     return entry and scans.scan_of(entry)
 
 
 class Receiver:
-    """As much of a publishing run as takes the results of a scan."""
-
     def __init__(self) -> None:
         self.outcomes = list[Any]()
         self.records = store.Records(Place(MemoryRegistry(), PREFIX))
@@ -492,29 +469,24 @@ class Receiver:
 
 
 def results_of(file: Path) -> object:
-    """What a scan handed over."""
     receiver: Any = Receiver()
     scan_results.record(receiver, file)
     return [*receiver.outcomes]
 
 
 def inputs_of(document: bytes, folder: Path) -> object:
-    """The layer of a record."""
     records = store.Records(Place(MemoryRegistry(), PREFIX))
     records.artifact("alpha-base.amd64", document, {})
     return records.inputs("alpha-base", "amd64")
 
 
 def moves_of(document: bytes, folder: Path) -> object:
-    """The layer of a record of moves."""
     records = store.Records(Place(MemoryRegistry(), PREFIX))
     records.artifact("undo.1", document, {})
     return [move.to_json() for move in tag_moves.read_moves(records, "undo.1")]
 
 
 class Sent(MemoryRegistry):
-    """A registry that sends one blob."""
-
     document = b""
 
     def read_blob(
@@ -524,7 +496,6 @@ class Sent(MemoryRegistry):
 
 
 def layer_of(document: bytes, folder: Path) -> object:
-    """A layer of a base image."""
     registry = Sent()
     registry.document = document
     facts = Descriptor(mediaType="application/vnd.oci.image.layer.v1.tar+gzip", digest=DIGEST, size=len(document))
@@ -533,7 +504,6 @@ def layer_of(document: bytes, folder: Path) -> object:
 
 
 def archived(index: bytes = b"", manifest: bytes = b"", config: bytes = SAVED) -> bytes:
-    """The archive of an image, of which these parts are as given."""
     layers = [oci.descriptor("application/vnd.oci.image.layer.v1.tar", b"")]
     content = {"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, config), "layers": layers}
     manifest = manifest or oci.encoded(content)
@@ -544,37 +514,31 @@ def archived(index: bytes = b"", manifest: bytes = b"", config: bytes = SAVED) -
 
 
 def image_of(document: bytes, folder: Path) -> object:
-    """The image of an archive."""
     with contextlib.suppress(zlib.error):  # as in `left_of`
         document = zlib.decompressobj(31).decompress(document, 20 << 20)
     return saved_image.read(archive.Archive(io.BytesIO(document), "a")).missing
 
 
 def reply(code: int, content: bytes = b"", headers: Any = None) -> httpx.Response:
-    """An answer whose body nobody has read."""
     return httpx.Response(code, headers=headers, stream=httpx.ByteStream(content))
 
 
 def server(answer: Callable[[httpx.Request], httpx.Response]) -> Registry:
-    """A registry that answers so."""
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(web, "client", lambda **_: httpx.Client(transport=httpx.MockTransport(answer)))
         return Registry("registry.test", credentials=lambda _: None)
 
 
 def sent(ask: Callable[[Registry], object]) -> Callable[[bytes, Path], object]:
-    """Reads a document that a registry sends."""
     return lambda document, folder: ask(server(lambda _: reply(200, document, {"docker-content-digest": DIGEST})))
 
 
 def error_of(document: bytes, folder: Path) -> object:
-    """Why a registry refuses something."""
     answer = answers.Answer("GET", httpx.URL("https://registry.test/v2/"), 403, httpx.Headers(), document)
     return answers.reason(answer), answers.codes(answer)
 
 
 def token_of(document: bytes, folder: Path) -> object:
-    """The answer of a token server."""
     asks = {"www-authenticate": 'Bearer realm="https://registry.test/token"'}
 
     def answer(request: httpx.Request) -> httpx.Response:
@@ -637,7 +601,6 @@ LISTED = {
 
 
 def docker_config_of(document: bytes, folder: Path) -> object:
-    """What docker knows of a registry, in its file and in the variable."""
     (folder / "config.json").write_bytes(document)
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv("DOCKER_CONFIG", str(folder))
@@ -651,7 +614,6 @@ def docker_config_of(document: bytes, folder: Path) -> object:
 
 
 def helper_of(document: bytes, folder: Path) -> object:
-    """The answer of a program that keeps passwords."""
     (folder / "answer").write_bytes(document)
     (folder / "config.json").write_text('{"credsStore": "a"}')
     stubs.executable(folder / "docker-credential-a", f"exec cat {folder}/answer")
@@ -663,7 +625,6 @@ def helper_of(document: bytes, folder: Path) -> object:
 
 
 def source_of(document: bytes) -> Source:
-    """An image with this config."""
     layers = [oci.descriptor(f"application/vnd.oci.image.layer.v1.tar{end}", b"") for end in ("", "+gzip")]
     content = {"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, document), "layers": layers}
     registry = MemoryRegistry()
@@ -709,7 +670,6 @@ BASE_OF_APP = source_of(
 
 
 def config_of(document: bytes, folder: Path) -> object:
-    """The config of an image: of a base image, of an app that moves, and of what is joined."""
     found, wrong = source_of(document), list[RosmlError]()
     calls: list[Callable[[], object]] = [
         lambda: docker_image_of(
@@ -735,7 +695,6 @@ def config_of(document: bytes, folder: Path) -> object:
 
 
 def judged(document: bytes, folder: Path) -> object:
-    """Facts of an app, and of a base image."""
     found, other = facts.parse(gzip.compress(document, 1)), facts.Facts.model_validate(FACTS)
     files = (frozenset({"c", "usr/lib/python3/dist-packages/a-1.dist-info/METADATA"}), frozenset({"usr"}))
     pairs = ((found, other), (other, found))
@@ -743,12 +702,10 @@ def judged(document: bytes, folder: Path) -> object:
 
 
 def lists_of_files(document: bytes, folder: Path) -> object:
-    """The list of the files of an image."""
     return file_lists.Files.parse(file_lists.unpacked(document))
 
 
 def packages_of_archive(document: bytes, folder: Path) -> object:
-    """A list of the packages of a repository, whose digest is right."""
     release = f" {hashlib.sha256(document).hexdigest()} 1 main/binary-amd64/Packages.gz\n".encode()
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(release_file, "fetched", lambda url, *_: release if url.endswith("InRelease") else document)
@@ -765,14 +722,12 @@ PATCH = b"".join((PATCH_PLAN, *FRAMES))
 
 
 def patches_of(made: bytes) -> bytes:
-    """What an archive says about a patch."""
     entry = {"mediaType": patch.MEDIA_TYPE, "digest": oci.digest_of(made), "size": len(made), "image": "a"}
     old = {"digest": oci.digest_of(OLD_LAYER), "diff_id": oci.digest_of(OLD_LAYER), "size": len(OLD_LAYER)}
     return json.dumps({oci.digest_of(NEW_LAYER): {**entry, "old": old}}).encode()
 
 
 def with_patch(made: bytes, document: bytes = b"") -> object:
-    """The image of an archive with a patch. `document` is what it says about that."""
     document = document or patches_of(made)
     digest = oci.digest_of(NEW_LAYER)
     config = oci.encoded({"os": "linux", "architecture": "amd64", "rootfs": {"type": "layers", "diff_ids": [digest]}})
@@ -789,7 +744,6 @@ def with_patch(made: bytes, document: bytes = b"") -> object:
 
 
 def unpacked(document: bytes, folder: Path) -> object:
-    """rosdep's lists of a registry."""
     rosdep_index.unpack(document, folder, "the lists")
     return sorted(folder.rglob("*"))
 
@@ -846,21 +800,18 @@ REPORT = {
 
 
 def sbom_of(document: bytes, folder: Path) -> object:
-    """An SBOM of a registry."""
     found = Sbom(document)
     found.require("alpha", ros=True)
     return found.is_of(DIGEST), found.packages, found.system, found.sources
 
 
 def report_of(document: bytes, folder: Path) -> object:
-    """What trivy wrote."""
     return judge.part_report(
         trivy.read_report(document, "alpha"), judge.Part("alpha", "registry.test", "ros", DIGEST, ros=True)
     )
 
 
 def database_of(document: bytes, folder: Path) -> object:
-    """The facts of trivy's database."""
     (folder / "db").mkdir()
     (folder / "db/metadata.json").write_bytes(document)
     (folder / "db/trivy.db").write_bytes(b"x")
@@ -912,7 +863,6 @@ def answered(what: str, ask: Callable[[str], object]) -> Callable[[bytes, Path],
 
 
 def defaults_of(document: bytes, folder: Path) -> object:
-    """A project's file."""
     (folder / ".rosml.toml").write_bytes(document)
     environment = {"XDG_CONFIG_HOME": str(folder / "none")}
     found = defaults.files(environment, str(folder), ["--mws"], ["--new"]).project
@@ -920,7 +870,6 @@ def defaults_of(document: bytes, folder: Path) -> object:
 
 
 def words_of(document: bytes, folder: Path) -> object:
-    """Values of options, a line each, that are checked and written into a file of compose."""
     options = document.decode(errors="surrogateescape").split("\n")
     line = split([word for option in options if option.startswith("--") for word in [option]] + ["ros:jazzy"], ())
     host = Host(folder, {"ROS_DOMAIN_ID": options[0].partition("=")[2][-5000:]})
@@ -955,7 +904,6 @@ WORDS = b"""\
 
 
 def kernel_of(document: bytes, folder: Path) -> object:
-    """Files of the kernel, and of variables."""
     for place in (check.RECEIVED, check.FRAGMENTS, check.SECONDS, "/sys/class/net/eth0/flags"):
         file = folder / place.lstrip("/")
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -969,7 +917,6 @@ def kernel_of(document: bytes, folder: Path) -> object:
 
 
 def docker_image_of(document: bytes, folder: Path) -> object:
-    """What docker says of an image that no registry has."""
     (folder / "answer").write_bytes(document)
     stubs.executable(folder / "docker", f"exec cat {folder}/answer")
     with pytest.MonkeyPatch.context() as patched:
@@ -981,7 +928,6 @@ def docker_image_of(document: bytes, folder: Path) -> object:
 
 
 def images_of_engine(document: bytes, folder: Path) -> object:
-    """All images of an engine, with their layers."""
     (folder / "answer").write_bytes(document)
     text = f"[ $2 = ls ] && echo {'1' * 64} && exit\nexec cat {folder}/answer"
     program = stubs.executable(folder / "engine", text)
@@ -989,7 +935,6 @@ def images_of_engine(document: bytes, folder: Path) -> object:
 
 
 def saved_by_engine(document: bytes, folder: Path) -> object:
-    """What `docker save` writes."""
     with contextlib.suppress(zlib.error):  # as in `left_of`
         document = zlib.decompressobj(31).decompress(document, 20 << 20)
     (folder / "answer").write_bytes(document)
@@ -1012,13 +957,11 @@ volumes:
 
 
 def composed(found: str) -> object:
-    """A file of compose that gets a service."""
     wanted: dict[str, Any] = {"services": {"listener": {"image": "ros:jazzy"}}, "volumes": {"a": {}}}
     return compose_file.added(found, wanted, "compose.yaml")
 
 
 def cookies_of(document: bytes, folder: Path) -> object:
-    """The file with the cookies of displays."""
     found = xauthority.read(document)
     return xauthority.written(found), xauthority.cookie(found, "0", "a", "a")
 
@@ -1032,7 +975,6 @@ WHEEL = index.Wheel("https://index.test/a-1-py3-none-any.whl", 0)
 
 
 def zip_of(**files: bytes) -> bytes:
-    """A wheel with these files."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as packed:
         for name, content in files.items():
@@ -1041,8 +983,6 @@ def zip_of(**files: bytes) -> bytes:
 
 
 def wheel_of(document: bytes, folder: Path) -> object:
-    """A wheel of an index, of which only pieces are asked for."""
-
     def answer(request: httpx.Request) -> httpx.Response:
         first, last = map(int, request.headers["range"].removeprefix("bytes=").split("-"))
         return reply(206, document[first : last + 1])
@@ -1053,8 +993,6 @@ def wheel_of(document: bytes, folder: Path) -> object:
 
 
 def pylock_of(document: bytes, folder: Path) -> object:
-    """What uv writes of wheels."""
-
     def uv(_: list[str], place: Path) -> tuple[int, str]:
         (place / "pylock.toml").write_bytes(document)
         return 0, ""
@@ -1082,7 +1020,6 @@ nvidia-nccl-cu12==2.1 ; sys_platform == 'linux'
 
 
 def github_of(document: bytes, folder: Path) -> object:
-    """Issues of a repository."""
     one = b'{"number": 1}'
     answer = httpx.MockTransport(lambda request: reply(200, document if request.method == "GET" else one))
     with pytest.MonkeyPatch.context() as patched:
@@ -1094,7 +1031,6 @@ ISSUES = [{"number": 1, "title": issue.TITLE, "html_url": "https://github.test/1
 
 
 def progress_of(document: bytes, folder: Path) -> object:
-    """What buildx says while it builds."""
     out = io.StringIO()
     followed = progress.BuildProgress(out, out, clock=lambda: 0.0)
     followed.follow(document.decode(errors="replace").splitlines(keepends=True))
@@ -1113,7 +1049,6 @@ STEPS = b"\n".join(
 
 
 def base_of_command(document: bytes, folder: Path) -> object:
-    """What a machine's command says of a base image."""
     (folder / "answer").write_bytes(document)
     found = stubs.services(folder, bases=[stubs.executable(folder / "bases", f"exec cat {folder}/answer")])
     systems = SMALL_SET.matrix.operating_systems
@@ -1121,7 +1056,6 @@ def base_of_command(document: bytes, folder: Path) -> object:
 
 
 def adopted_of(found: str) -> object:
-    """Files of a base image that is not ours."""
     return system.system(found), adopted.ends_in_the_command(found)
 
 
@@ -1403,7 +1337,6 @@ PARSERS: dict[str, Parser] = {
 
 
 def upstream(file: Path) -> object:
-    """The folder beside its file."""
     folder = file.with_name("up")
     folder.mkdir()
     return tree.Tree(folder).has("a", "b", "c"), names

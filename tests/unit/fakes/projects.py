@@ -40,7 +40,6 @@ def copy(folder: Path) -> Path:
 
 
 def copy_for_generator(folder: Path) -> Path:
-    """A copy of all that the generator reads and writes."""
     for name in ("components", "locks", "src", "scripts", "tests/structure", "tools"):
         shutil.copytree(ROOT / name, folder / name)
     for name in (
@@ -68,7 +67,6 @@ def copy_for_generator(folder: Path) -> Path:
 
 
 def copy_with_commands(folder: Path, matrix: str) -> Path:
-    """The project with another matrix and the commands that compare, committed."""
     copy(folder)
     for name in ("src", "scripts"):
         shutil.copytree(ROOT / name, folder / name)  # with its bytecode, which Python would make anew
@@ -80,7 +78,6 @@ def copy_with_commands(folder: Path, matrix: str) -> Path:
 
 
 def git(folder: Path, *arguments: str) -> str:
-    """Runs git as somebody; gives what it prints."""
     names = {f"GIT_{who}_{what}": "a@example.org" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")}
     command = ["git", "-C", str(folder), *arguments]
     done = subprocess.run(command, check=True, capture_output=True, text=True, env={**os.environ, **names})
@@ -88,12 +85,10 @@ def git(folder: Path, *arguments: str) -> str:
 
 
 def commit(folder: Path) -> None:
-    """Commits all files."""
     git(folder, "add", "--all")
     git(folder, "commit", "--quiet", "--message", "A version")
 
 
 def diff(folder: Path, version: str, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """What a project's own command says of how it differs from a version."""
     command = [sys.executable, "src", "diff", *arguments, "--", version]
     return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=60)

@@ -31,7 +31,6 @@ NO_FORMAT_1 = (
 
 
 def on_a_terminal(code: str, *arguments: str, env: Mapping[str, str]) -> tuple[int, bytes]:
-    """Runs Python's code on a terminal of Python's own making: its exit code, and what the terminal gets to see."""
     main, other = pty.openpty()
     with subprocess.Popen([sys.executable, "-c", code, *arguments], env=env, stdout=other, stderr=other) as process:
         os.close(other)
@@ -68,7 +67,6 @@ OFFLINE = [sys.executable, str(Path(__file__).resolve().parents[3] / "tools" / "
 
 
 def script_of_a_build(name: str) -> ModuleType:
-    """A script that a step of a build calls, as a module."""
     file = ROOT / "components" / name
     spec = importlib.util.spec_from_file_location(f"{file.stem}_of_a_build", file)
     assert spec and spec.loader
@@ -82,14 +80,12 @@ def script_of_a_build(name: str) -> ModuleType:
 
 
 def executable(path: Path, text: str) -> str:
-    """A shell script that can be run."""
     path.write_text(f"#!/bin/sh\n{text}\n")
     path.chmod(0o755)
     return str(path)
 
 
 def buildx(folder: Path, bake: str) -> tuple[str, ...]:
-    """The command of a buildx whose builder runs, and which bakes as a shell text says."""
     (folder / "status").write_text("Status: running\n")
     return (executable(folder / "buildx", BUILDX.format(folder=folder) + bake),)
 
@@ -102,8 +98,6 @@ def calls(folder: Path) -> list[str]:
 
 @contextmanager
 def answering_registry() -> Iterator[str]:
-    """The address of a server that answers as a registry does, and nothing else."""
-
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
             self.send_response(200 if self.path == "/v2/" else 404)
@@ -151,7 +145,6 @@ FACTS: dict[str, Any] = {
 
 
 def load(root: Path, **changes: Any) -> Services:
-    """Services of a checkout with these facts."""
     (root / ".state").mkdir(exist_ok=True)
     (root / ".state" / "services.json").write_text(json.dumps({**FACTS, **changes}))
     return Services.load(root)

@@ -46,6 +46,5 @@ RESOLVES = UV + FILTER + ' <"$here/resolved.txt" >out.txt'
 
 
 def fake_uv(folder: Path, text: str = RESOLVES, resolved: str = RESOLVED) -> str:
-    """A uv that records what it is told and resolves everything to the same."""
     (folder / "resolved.txt").write_text(resolved)
     return executable(folder / "uv", text.format(folder=folder))

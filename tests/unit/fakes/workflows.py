@@ -14,12 +14,10 @@ FOLDER = ROOT / ".github/workflows"
 
 
 def text(name: str) -> str:
-    """A workflow as it is written."""
     return (FOLDER / f"{name}.yml").read_text()
 
 
 def load(name: str) -> dict[str, Any]:
-    """A workflow as data."""
     content: dict[str, Any] = yaml.safe_load(text(name))
     return content
 

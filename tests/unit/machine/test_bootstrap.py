@@ -37,7 +37,6 @@ def bare(tmp_path: Path) -> Bootstrap:
 
 @pytest.fixture
 def ready(bare: Bootstrap, monkeypatch: pytest.MonkeyPatch) -> Bootstrap:
-    """A checkout with packages, and a machine with a uv that notes its calls."""
     for folder in ("src/rosml/cli", "tools", ".venv/bin", "mine", ".state"):
         (bare.root / folder).mkdir(parents=True)
     (bare.root / ".venv/bin/python").symlink_to(sys.executable)
@@ -52,7 +51,6 @@ def ready(bare: Bootstrap, monkeypatch: pytest.MonkeyPatch) -> Bootstrap:
 
 
 def uv(bare: Bootstrap, version: str) -> Path:
-    """Makes the program."""
     file = bare.root / "mine/uv"
     file.write_text(f'#!/bin/sh\n[ $1 = --version ] && echo uv {version} || echo "$@" >>{bare.root}/calls\n')
     file.chmod(0o755)
@@ -64,7 +62,6 @@ def test_its_commands_are_those_of_rosml(bare: Bootstrap) -> None:
 
 
 def test_its_help(bare: Bootstrap) -> None:
-    """Each example is a command."""
     done = bare("--help")
     assert done.returncode == 0 and done.stdout.startswith("usage: rosml setup")
     lines = [line for line in done.stdout.partition("Examples:\n")[2].splitlines() if line.strip()]
@@ -94,7 +91,6 @@ def test_wrong_usage(bare: Bootstrap, arguments: list[str]) -> None:
     ],
 )
 def test_it_hands_over(ready: Bootstrap, words: str, group: str) -> None:
-    """To the same words, with the packages that they need, and no word of a ROS workspace."""
     done = ready(*words.split(), PYTHONPATH="/opt/ros", CODE="3")
     calls = (ready.root / "calls").read_text() if group else ""
     assert not group or calls.endswith(f" --require-hashes --no-build {ready.root}/tools/requirements-{group}.txt\n")
@@ -124,7 +120,6 @@ def test_packages_of_somebody_who_may_not_write_to_the_checkout(ready: Bootstrap
 
 
 def test_only_one_set_up_at_a_time(ready: Bootstrap) -> None:
-    """The lock is kept by what it hands over to."""
     (ready.root / "src/__main__.py").write_text("import time\nprint('begins', flush=True)\ntime.sleep(60)\n")
     argv = [sys.executable, str(ready.file), "up"]
     with subprocess.Popen(argv, stdout=subprocess.PIPE, text=True) as first:
@@ -208,7 +203,6 @@ def test_a_failure_of_uv_ends_it(ready: Bootstrap) -> None:
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_interrupted(ready: Bootstrap, number: signal.Signals) -> None:
-    """What it waits for ends as well."""
     (ready.root / "mine/uv").write_text(
         f"#!/bin/sh\n[ $1 = --version ] && echo uv 1.0 && exit\necho $$ >{ready.root}/pid; exec sleep 60\n"
     )

@@ -34,7 +34,6 @@ DAY = "2026-11-21T11:03:"
 
 
 def vertex(name: str = NAME, **facts: Any) -> str:
-    """A line of rawjson about a step."""
     return json.dumps({"vertexes": [{"digest": name, "name": name, "started": f"{DAY}10.123456789Z", **facts}]})
 
 
@@ -44,7 +43,6 @@ def prints(data: str, name: str = NAME) -> str:
 
 
 def says(*lines: str, code: int = 0) -> str:
-    """A shell text that prints lines where buildx prints its progress."""
     return "cat >&2 <<'END'\n" + "\n".join(lines) + f"\nEND\nexit {code}"
 
 
@@ -60,7 +58,6 @@ def bake(tmp_path: Path) -> Bake:
 
 
 def having(tmp_path: Path, registry: str, text: str, **changes: Any) -> Services:
-    """Services with a buildx that does as the text says."""
     return services(tmp_path, registry, buildx=buildx(tmp_path, text), **changes)
 
 
@@ -191,7 +188,6 @@ def test_builds_that_share_steps_take_turns(
 
 
 def test_builds_that_share_nothing_run_side_by_side(tmp_path: Path, registry: str, bake: Bake) -> None:
-    """Two apps, and a part: each begins while the others have not ended."""
     shared, roots = tmp_path / "buildx-config", [tmp_path / name for name in ("one", "other", "part")]
     wait = f"touch {{}}; while [ $(ls {tmp_path}/begun-* | wc -l) != 3 ]; do sleep 0.05; done"
 
@@ -231,7 +227,6 @@ def test_metadata_of_an_earlier_call_is_not_believed(tmp_path: Path, registry: s
 
 
 def fails(tmp_path: Path, registry: str, bake: Bake, *lines: str) -> RosmlError:
-    """The error of a build that prints lines and fails."""
     with pytest.raises(RosmlError) as caught:
         builder.run(having(tmp_path, registry, says(*lines, code=1)), bake)
     return caught.value
@@ -312,7 +307,6 @@ def test_remedies_for_what_the_builder_says(tmp_path: Path, bake: Bake, reason: 
 
 
 def printed(*lines: str, name: str = NAME) -> BuildProgress:
-    """A build with a step that printed lines and failed."""
     progress = BuildProgress()
     progress.feed(vertex(name, completed=f"{DAY}12Z", error="exit code: 1"))
     progress.steps[name].tail.extend(lines)
@@ -359,7 +353,6 @@ def test_what_somebody_elses_code_prints_is_no_reason_of_ours(tmp_path: Path, ba
 
 
 def test_what_a_base_image_has_every_build_on_it_run(tmp_path: Path, bake: Bake) -> None:
-    """Its commands look for files of other builds, and may print what ours do."""
     progress = BuildProgress()
     error = 'failed to calculate checksum of ref x::y: "/requirements.txt": not found'
     progress.feed(vertex("[base 1/3] ONBUILD COPY requirements.txt /", completed=f"{DAY}12Z", error=error))
@@ -375,7 +368,6 @@ def test_a_script_of_ours_that_knows_the_reason_has_the_last_word(tmp_path: Path
 
 
 def test_the_step_that_failed_says_why(tmp_path: Path, bake: Bake) -> None:
-    """And not what others say, nor what was tried again and went well."""
     progress = printed("Temporary failure resolving 'x', another try", "write: no space left on device")
     progress.feed(vertex("[b 1/1] RUN other", completed=f"{DAY}12Z"))
     progress.steps["[b 1/1] RUN other"].tail.append("E: Failed to fetch x.deb")
@@ -451,7 +443,6 @@ def test_what_a_registry_may_take_later_is_sent_again(
 
 
 def test_a_result_that_is_there_is_not_built_again(tries: Callable[[str, int], list[str]], tmp_path: Path) -> None:
-    """Where something could not be pulled, it is still to be built past the cache."""
     first, second = tries(PUSH.format("{}", "429 Too Many Requests"), 1)
     assert "a.no-cache=true" in first and "a.no-cache=true" not in second and "a.tags=" in second
     log = (tmp_path / ".state/log/build-a.log").read_text()
@@ -483,8 +474,6 @@ WAITS = "touch {0}/ready; while :; do sleep 0.02; done"
 
 
 def interrupt_when(ready: Path) -> threading.Thread:
-    """Sends this process what Ctrl-C sends, as soon as a file is there."""
-
     def send() -> None:
         end = time.monotonic() + 60
         while not ready.exists() and time.monotonic() < end:
@@ -498,7 +487,6 @@ def interrupt_when(ready: Path) -> threading.Thread:
 
 @pytest.fixture
 def interruptible() -> Iterator[None]:
-    """Ctrl-C as in a terminal, even where the tests run with it ignored."""
     before = signal.signal(signal.SIGINT, signal.default_int_handler)
     yield
     signal.signal(signal.SIGINT, before)

@@ -20,7 +20,6 @@ DRIVER = "NVRM version: NVIDIA UNIX x86_64 Kernel Module  {}  Thu\n"
 
 @pytest.fixture
 def machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The root of a machine with docker, where all answers and nothing is set up."""
     monkeypatch.setattr(host, "ROOT", tmp_path)
     monkeypatch.setattr(engine, "program", lambda _: "docker")
     monkeypatch.setattr(engine, "answering", Engine)
@@ -38,7 +37,6 @@ def with_driver(root: Path, version: str) -> None:
 
 
 def asked(code: int = 0) -> dict[str, dict[str, Any]]:
-    """The findings by name."""
     done = CliRunner().invoke(doctor.main, ["--json"])
     assert done.exit_code == code, done.output
     return {finding["name"]: finding for finding in json.loads(done.output)}
@@ -75,8 +73,6 @@ def test_a_gpu_that_the_engine_cannot_hand_in_is_wrong(machine: Path, monkeypatc
 
 
 def test_what_does_not_answer_is_named(machine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """No engine and no network keep nobody from listing images: notes, each with its remedy."""
-
     def silent(_: str) -> Engine:
         raise RosmlError("docker does not answer", "start it")
 

@@ -21,8 +21,6 @@ ENTRY = ":qemu-aarch64:M::\\x7fELF:\\xff:/usr/libexec/qemu:POF\n"
 
 
 class Installer:
-    """Installs nothing but QEMU's entry, and remembers what was asked for."""
-
     def __init__(self, entries: Path) -> None:
         self.entries, self.asked, self.root = entries, dict[str, str](), list[str]()
         self.state = State(entries, print)
@@ -36,7 +34,6 @@ class Installer:
 
 @pytest.fixture
 def machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Installer:
-    """A machine for amd64 whose kernel has a table without entries."""
     for name in ("table", "entries"):
         (tmp_path / name).mkdir()
     (tmp_path / "table/register").write_text("")
@@ -74,7 +71,6 @@ def test_a_kernel_that_knows_needs_no_new_builder(machine: Installer) -> None:
 
 
 def test_a_plain_user(machine: Installer, monkeypatch: pytest.MonkeyPatch) -> None:
-    """What it is told to run with all rights has a digest."""
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     (machine.state.root / "tools").mkdir(parents=True)
     shutil.copy(ROOT / "tools/images.txt", machine.state.root / "tools")
@@ -84,7 +80,6 @@ def test_a_plain_user(machine: Installer, monkeypatch: pytest.MonkeyPatch) -> No
 
 
 def test_a_user_with_sudo(machine: Installer, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """As on GitHub's machines, where base images come from Docker Hub: nothing asks whether programs of arm64 run."""
     sudo = executable(tmp_path / "sudo", f'echo "$*" >>"{tmp_path}/calls"\nshift\nexec "$@"\n')
     monkeypatch.setattr(emulation, "which_system", lambda name: str(sudo) if name == "sudo" else None)
     monkeypatch.setattr(os, "geteuid", lambda: 1000)

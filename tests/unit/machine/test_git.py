@@ -38,13 +38,11 @@ def author(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def author_git(folder: Path, *arguments: str, given: str = "") -> str:
-    """Calls git as an author does."""
     command = ["git", "-C", str(folder), *arguments]
     return subprocess.run(command, input=given, check=True, capture_output=True, text=True).stdout.strip()
 
 
 def repository(folder: Path, *options: str) -> Path:
-    """A repository with a folder `sub` and one commit."""
     (folder / "sub").mkdir(parents=True)
     (folder / "sub/f").write_text("1\n")
     author_git(folder, "init", "--quiet", *options)
@@ -54,7 +52,6 @@ def repository(folder: Path, *options: str) -> Path:
 
 
 def commit_with(folder: Path, header: str = "", moment: str = str(TIME)) -> None:
-    """Checks out a commit with another header, such as a signature, or of another time."""
     tree = author_git(folder, "write-tree")
     who = f"a <a@example.org> {moment} +0000"
     text = f"tree {tree}\nauthor {who}\ncommitter {who}\n{header}\nm\n"
@@ -64,7 +61,6 @@ def commit_with(folder: Path, header: str = "", moment: str = str(TIME)) -> None
 
 @pytest.fixture
 def program(tmp_path: Path) -> Path:
-    """A stranger's program, which leaves the file `ran`."""
     file = tmp_path / "program"
     file.write_text(f'#!/bin/sh\necho "$0 $*" >>{tmp_path}/ran\nexit 1\n')
     file.chmod(0o755)
@@ -110,7 +106,6 @@ def submodule(origin: Path, folder: Path) -> Path:
 
 
 def named_as_git_names(origin: Path, folder: Path) -> Path:
-    """Files and folders in it have names that git uses itself."""
     author_git(origin.parent, "clone", "--quiet", str(origin), str(folder))
     (folder / "HEAD").write_text("x")
     (folder / "sub/.git").mkdir()
@@ -165,8 +160,6 @@ def test_git_is_not_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
 
 
 def signature(kind: str) -> Callable[[Path, Path], None]:
-    """Its commit has a signature, and its settings say what checks it."""
-
     def prepare(folder: Path, program: Path) -> None:
         commit_with(folder, f"gpgsig {kind}\n")
         (folder / "signers").write_text("")
@@ -179,7 +172,6 @@ def signature(kind: str) -> Callable[[Path, Path], None]:
 
 
 def included(folder: Path, program: Path) -> None:
-    """Its settings are in another file."""
     signature(PGP)(folder, program)
     config = git_dir(folder) / "config"
     (folder / "innocent").write_text(config.read_text())
@@ -188,8 +180,6 @@ def included(folder: Path, program: Path) -> None:
 
 
 def missing(**settings: str) -> Callable[[Path, Path], None]:
-    """Its commit is not there, and its settings say where it can be fetched."""
-
     def prepare(folder: Path, program: Path) -> None:
         name = author_git(folder, "rev-parse", "HEAD")
         (git_dir(folder) / "objects" / name[:2] / name[2:]).unlink()
@@ -219,7 +209,6 @@ STRANGERS = {
 def test_settings_of_a_repository_start_nothing(
     tmp_path: Path, program: Path, prepare: Callable[[Path, Path], None]
 ) -> None:
-    """As in an archive that somebody unpacked: the folder `.git` is the stranger's."""
     folder = repository(tmp_path / "a")
     there = head(folder)
     prepare(folder, program)
@@ -299,7 +288,6 @@ def test_questions_about_our_own_checkout_start_no_hook(tmp_path: Path, program:
 
 
 def test_what_git_gets_of_the_environment(tmp_path: Path, program: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Neither another repository nor settings, and no secret."""
     folder = repository(tmp_path / "a")
     there = head(folder)
     other = repository(tmp_path / "other")

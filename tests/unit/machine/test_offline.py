@@ -49,7 +49,6 @@ def test_another_registry_answers_for_itself() -> None:
 
 
 def test_an_error_is_an_answer(tmp_path: Path) -> None:
-    """In a checkout of its own, that was not set up."""
     for name in ("src", "tools/offline"):
         shutil.copytree(Path(OFFLINE[1]).parents[1] / name, tmp_path / name)
     done = subprocess.run(
@@ -126,7 +125,6 @@ def test_command_names_no_mirror() -> None:
 
 
 def test_a_mirror_of_a_suite_that_moves_may_be_old(tmp_path: Path) -> None:
-    """Both where the image is made and in the image; suites that stay are checked."""
     for suite, lenient in (("sid", True), ("bookworm", False)):
         argv = debian.command(suite, "amd64", tmp_path, tmp_path)
         assert any("Check-Valid-Until" in word for word in argv) == lenient
@@ -135,7 +133,6 @@ def test_a_mirror_of_a_suite_that_moves_may_be_old(tmp_path: Path) -> None:
 
 
 def test_image(tmp_path: Path) -> None:
-    """The same bytes for the same content, whatever the time."""
     tar = tmp_path / "root.tar"
     tar.write_bytes(b"content" * 1000)
     manifest, blobs = debian.build_image(tar, "bookworm", "amd64")
@@ -151,7 +148,6 @@ def test_image(tmp_path: Path) -> None:
 
 
 def fake_mmdebstrap(folder: Path, text: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Puts a local replacement for mmdebstrap on PATH. Its last argument is the file to write."""
     path = folder / "fake" / "mmdebstrap"
     path.parent.mkdir()
     path.write_text(f"#!/bin/bash\n{text}\n")
@@ -196,7 +192,6 @@ def test_files_are_the_same_under_any_umask(tmp_path: Path) -> None:
 
 
 def test_folders_that_are_left_out(tmp_path: Path) -> None:
-    """With a fixed time; what is there stays."""
     tar = tmp_path / "root.tar"
     with tarfile.open(tar, "w") as archive:
         archive.addfile(tarfile.TarInfo("./etc"))
@@ -212,14 +207,12 @@ def test_folders_that_are_left_out(tmp_path: Path) -> None:
 
 @pytest.fixture
 def versions(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Where this machine has further Pythons: none yet. Debian's images need not be made."""
     monkeypatch.setattr(assembler, "VERSIONS", str(tmp_path / "versions"))
     monkeypatch.setattr(debian, "debian", lambda *_: "sha256:made")
     return tmp_path / "versions"
 
 
 def python(versions: Path, release: str) -> None:
-    """A Python of this machine."""
     home = versions / release
     (home / "lib/python3.12/test").mkdir(parents=True)
     (home / "bin").mkdir()

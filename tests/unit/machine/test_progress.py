@@ -33,8 +33,6 @@ TEST = (
 
 
 class Clock:
-    """Monotonic seconds that pass when the test says so."""
-
     def __init__(self) -> None:
         self.now = 1000.0
 
@@ -43,8 +41,6 @@ class Clock:
 
 
 class Build:
-    """A build that a test tells, step by step."""
-
     def __init__(self, summary: str = "") -> None:
         self.out, self.log, self.clock = StringIO(), StringIO(), Clock()
         self.progress = BuildProgress(self.out, self.log, self.clock, summary)
@@ -156,7 +152,6 @@ def test_no_line_for_what_took_no_time(build: Build) -> None:
 
 
 def test_cached_steps(build: Build) -> None:
-    """As BuildKit says it: first that it is cached, later that it ended."""
     build.vertex(TORCH, started=f"{DAY}10Z", cached=True)
     build.vertex(TORCH, started=f"{DAY}10Z", completed=f"{DAY}30Z")
     build.vertex("[x internal] load build context", started=f"{DAY}10Z", completed=f"{DAY}10Z", cached=True)
@@ -242,7 +237,6 @@ def test_heartbeat_of_a_build_that_is_silent(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_the_failed_step(build: Build) -> None:
-    """One step goes wrong; the others are cancelled because of it, and may be reported first."""
     cancelled = "failed to solve: Canceled: context canceled"
     build.vertex(TORCH, started=f"{DAY}10Z", completed=f"{DAY}20Z", error=cancelled)
     assert build.progress.failed() is None

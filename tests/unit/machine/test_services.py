@@ -70,8 +70,6 @@ def test_environment_of_the_users_own_builder(tmp_path: Path) -> None:
 
 @pytest.fixture
 def registry() -> Iterator[str]:
-    """A server that answers as a registry does, and nothing else."""
-
     class Handler(BaseHTTPRequestHandler):
         def do_GET(self) -> None:
             self.send_response(200 if self.path == "/v2/" else 404)
@@ -103,7 +101,6 @@ def test_registry_is_down(tmp_path: Path) -> None:
 
 
 def fake_buildx(folder: Path, text: str) -> list[str]:
-    """A local replacement for buildx."""
     path = folder / "buildx"
     path.write_text(f"#!/bin/sh\n{text}\n")
     path.chmod(0o755)

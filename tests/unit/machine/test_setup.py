@@ -27,7 +27,6 @@ def state(tmp_path: Path) -> State:
 
 
 def call(state: State, monkeypatch: pytest.MonkeyPatch, *words: str) -> str:
-    """Runs a command of `rosml setup` for a checkout, as scripts/bootstrap.py calls it. Returns its output."""
     monkeypatch.setattr(commands, "ROOT", state.root)
     monkeypatch.setenv(commands.UV, "/uv")
     monkeypatch.setenv("XDG_CACHE_HOME", str(state.cache))
@@ -44,7 +43,6 @@ def test_the_scanner_and_the_signer_are_saved(state: State, monkeypatch: pytest.
 
 
 def test_a_client_of_a_registry_builds_no_program(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Jobs that only read and write a registry have no use for a local one, a builder, buildx or regctl."""
     monkeypatch.setattr(Installer, "go_program", lambda self, name: pytest.fail(f"{name} was built"))
     monkeypatch.setattr(Installer, "debian_packages", lambda self, packages: pytest.fail("packages of the system"))
     path = state.root / "path"
@@ -86,7 +84,6 @@ def test_a_call_by_people_begins_with_uv_and_packages(
 
 
 def test_help_has_an_example() -> None:
-    """Each is one that the parser reads."""
     examples = CliRunner().invoke(main.cli, ["setup", "--help"]).output.partition("Examples:\n")[2].partition("\n\n")[0]
     assert len(examples.splitlines()) > 1
     for line in examples.splitlines():

@@ -28,7 +28,6 @@ FRAMEWORKS = "torch=cuda*,common,torch ml=cuda*,common,torch,tensorflow"
 
 
 def layer(name: str) -> bytes:
-    """A layer with a file of that name, and one that each part has."""
     stream = io.BytesIO()
     with tarfile.open(fileobj=stream, mode="w") as archive:
         for path in (f"opt/{name}", "opt/last"):
@@ -94,7 +93,6 @@ def test_a_part_comes_with_what_it_needs(registry: StandIn, tmp_path: Path) -> N
 
 
 def test_the_feature_calls_it(registry: StandIn, tmp_path: Path) -> None:
-    """Without a part it says so, before anything is installed."""
     options = json.loads((FEATURE / "devcontainer-feature.json").read_text())["options"]
     assert [name.upper() for name in options] == ["PART"]
     done = subprocess.run([FEATURE / "install.sh"], env={"PATH": "/bin", "PART": ""}, capture_output=True, text=True)
@@ -152,7 +150,6 @@ def test_what_a_registry_says_of_a_part_is_compared(kind: str, registry: StandIn
 
 
 def place(found: dict[Any, Any], digest: str) -> Any:
-    """Where the registry keeps what has a digest."""
     return next(key for key in found if digest in key)
 
 

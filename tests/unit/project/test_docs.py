@@ -28,12 +28,10 @@ PAGES = pages()
 
 
 def prose(text: str) -> str:
-    """A page without its code."""
     return re.sub(r"`[^`\n]*`", "", re.sub(r"^ *```.*?^ *```", "", text, flags=re.MULTILINE | re.DOTALL))
 
 
 def links(page: Path) -> list[str]:
-    """What a page links to, with the text of links left out, and pictures."""
     return re.findall(r"\]\(([^)\s]+)\)", prose(page.read_text()))
 
 
@@ -49,7 +47,6 @@ def anchors(page: Path) -> set[str]:
 
 
 def broken(page: Path, link: str) -> str:
-    """What is wrong with a link; nothing where it is right."""
     path, _, anchor = link.partition("#")
     if "://" in link:
         address = urllib.parse.urlsplit(link)
@@ -91,8 +88,6 @@ def test_a_broken_link_is_found(link: str, wrong: str) -> None:
 
 
 class Reader(HTMLParser):
-    """What a browser fetches for a page."""
-
     def __init__(self) -> None:
         super().__init__()
         self.fetched: list[str] = []
@@ -105,7 +100,6 @@ class Reader(HTMLParser):
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> dict[Path, Reader]:
-    """Every page of the site, read."""
     folder = tmp_path_factory.mktemp("docs")
     assert docs.main.main(["--output", str(folder)], standalone_mode=False) is None
     found = {}
@@ -137,7 +131,6 @@ def test_every_page_of_the_site_says_where_to_ask(site: dict[Path, Reader]) -> N
 
 
 def test_a_site_with_broken_links_is_not_built(tmp_path: Path) -> None:
-    """Files and headings that there are not, each told."""
     docs.stage(ROOT, tmp_path)
     gone = ("nothing.md", "../nothing.md", "contract.md#nothing")
     with (tmp_path / "docs/docs/limits.md").open("a") as page:
@@ -166,7 +159,6 @@ def test_every_page_is_in_the_navigation() -> None:
 
 
 def test_the_status_page_has_a_line_for_each_thing() -> None:
-    """What was tried with it is folded away: a reader sees what it is, its state, and a few words."""
     page = (ROOT / "docs/status.md").read_text()
     rows = [line for line in page.splitlines() if line.startswith("| ") and not re.match(r"\| (---|what) ", line)]
     assert len(rows) > 20
@@ -178,7 +170,6 @@ def test_the_status_page_has_a_line_for_each_thing() -> None:
 
 
 def test_the_page_of_tags_says_which_images_lack_a_lock(real: ImageSet, small: ImageSet) -> None:
-    """Right below the table that people choose from, and by what is locked now; nothing where all of them are."""
     page = tags_page.render((ROOT / "docs/tags.md").read_text(), real)
     text = page.partition(tags_page.BEGIN)[2].partition("\n| distribution |")[0]
     lacking = {(i.repository, i.stack, i.distribution) for i in real.images if not i.locked and i.tags}
@@ -192,7 +183,6 @@ def test_the_page_of_tags_says_which_images_lack_a_lock(real: ImageSet, small: I
 
 
 def test_the_page_of_tags_says_which_distributions_lack_an_image(real: ImageSet) -> None:
-    """Its table of frameworks is for all distributions but those that the sentence below it names."""
     table, _, rest = (ROOT / "docs/tags.md").read_text().partition("\nNot for every `<d>`: ")
     said = rest.partition("\n\n")[0]
     wanted = re.findall(r"`(ros-\w+):<d>-<c>-(\w+)`", table.rpartition("| you have |")[2])
@@ -219,7 +209,6 @@ def test_yaml_of_the_documentation_is_yaml(name: str, real: ImageSet) -> None:
 
 
 def test_the_workflow_of_the_documentation_can_pull_private_packages() -> None:
-    """Packages that a repository publishes are private at first: its token has to be sent, and may read them."""
     [block] = titled(".github/workflows/test.yml")
     workflow = yaml.safe_load(block.text)
     assert workflow["permissions"] == {"contents": "read", "packages": "read"}
@@ -248,7 +237,6 @@ def test_every_image_that_a_page_builds_on_is_one_that_there_is(real: ImageSet) 
 
 
 def test_old_tags_lead_to_tags_that_there_are(real: ImageSet) -> None:
-    """The right columns of the page about moving from other images."""
     page = (ROOT / "docs/migrate.md").read_text().partition("\n## From rocker\n")[0]  # whose table has options
     rows = re.findall(r"^\| (`.*?) \| (.*) \|$", page, re.MULTILINE)
     assert len(rows) > 15
@@ -276,14 +264,12 @@ THEIRS = {
 
 
 def looked_up() -> set[str]:
-    """The messages on the page about them."""
     page = (ROOT / "docs/troubleshooting.md").read_text().partition("## Python packages")[0]
     rows = [line.split(" | ")[0] for line in page.splitlines() if line.startswith("| ") and "---" not in line]
     return {message for row in rows for message in re.findall(r"`([^`]+)`", row)}
 
 
 def test_each_message_to_look_up_is_one_that_is_printed() -> None:
-    """Ours are in the code in these words, so that a search finds them."""
     code = "".join(file.read_text() for file in (ROOT / "src/rosml").rglob("*.py"))
     code = code.replace("{about.program}", "docker").replace("{engine.program}", "docker")
     code += " ".join(f"no {kind} named" for kind in re.findall(r'\bunknown\(\s*"(\w+)"', code))
@@ -321,7 +307,6 @@ def told(file: Path) -> Iterator[str]:
 
 
 def test_messages_that_newcomers_meet_are_there_to_look_up() -> None:
-    """Those of `rosml init`, and some that have words of others in them."""
     code = ROOT / "src/rosml"
     files = [
         *(code / "containerize/init").glob("*.py"),

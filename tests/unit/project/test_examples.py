@@ -15,14 +15,11 @@ from fakes.desks import OURS, Desk
 from tests.pages import pages
 
 LINES = 100
-"""Of a page, at most."""
 INSTALL = (
     "apt-get update && rosdep update && rosdep install --from-paths src --ignore-src -y && rm -rf /var/lib/apt/lists/*"
 )
-"""As builds of the examples run it."""
 
 EXAMPLES = sorted(path.name for path in (ROOT / "examples").iterdir() if path.name not in ("ros1", "ros2"))
-"""Without those that are for `rosml containerize`, whose page tells of them."""
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
@@ -51,7 +48,6 @@ def test_every_page_installs_dependencies_by_the_line_that_is_built() -> None:
 
 
 def test_rosml_run_shows_the_windows_of_the_example(tmp_path: Path) -> None:
-    """In its folder and with no further word: the image and the network of its file, and this machine's display."""
     desk = Desk(tmp_path)
     desk.engine(images={"scene": OURS})
     desk.trust(scene=True)

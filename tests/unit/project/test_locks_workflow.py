@@ -24,7 +24,6 @@ GIT = {f"GIT_{who}_{what}": "a" for who in ("AUTHOR", "COMMITTER") for what in (
 
 
 def action(job: dict[str, Any], name: str) -> dict[str, str]:
-    """What an action is given."""
     [step] = [step for step in job["steps"] if step.get("uses", "").startswith(f"{name}@")]
     options: dict[str, str] = step["with"]
     return options
@@ -43,7 +42,6 @@ def git(folder: Path, *arguments: str) -> str:
 
 @pytest.fixture
 def checkout(tmp_path: Path) -> Path:
-    """The copy with the small matrix and its locks, everything generated and committed."""
     project = copy_for_generator(tmp_path)
     shutil.rmtree(project / "locks")
     (project / "matrix.yaml").write_text(SMALL)
@@ -57,7 +55,6 @@ def checkout(tmp_path: Path) -> Path:
 
 
 def step(command: str, folder: Path, **environment: str) -> str:
-    """Runs a step of the workflow, or what a person calls; nothing is set up, and Docker Hub is not asked."""
     (folder / ".state").mkdir(exist_ok=True)
     fake_uv(folder / ".state")
     done = subprocess.run(
@@ -73,7 +70,6 @@ def step(command: str, folder: Path, **environment: str) -> str:
 
 
 def test_what_is_proposed_is_whole(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
-    """All that the steps change is handed over, and in a checkout with nothing else of it, nothing is stale."""
     for item in UPGRADE["steps"]:
         if "run" in item and " setup " not in item["run"]:
             step(item["run"], checkout, **item.get("env", {}))

@@ -59,7 +59,6 @@ def test_what_make_test_does_not_know() -> None:
 
 
 def test_a_value_is_no_command(tmp_path: Path) -> None:
-    """What somebody gives as a target is told, and never run."""
     (tmp_path / "rosml").write_text('#!/bin/sh\nprintf "%s|" "$@"\n')
     (tmp_path / "rosml").chmod(0o755)
     argv = ["make", "-f", str(ROOT / "Makefile"), "image", f'TARGET=a b";touch {tmp_path}/made;"']
@@ -93,7 +92,6 @@ def checkout(tmp_path: Path) -> Path:
 
 
 def rosml(checkout: Path, *words: str) -> tuple[str, str]:
-    """Calls it through a link, from elsewhere, with what a ROS workspace sets; what it prints."""
     link = checkout / "elsewhere/link"
     if not link.is_symlink():
         link.symlink_to(checkout / "rosml")
@@ -126,8 +124,6 @@ touch "$ROSML_PLACE/.venv/group"
 
 @dataclass(frozen=True)
 class Shared:
-    """A checkout to which its caller may not write, and the caller's cache."""
-
     checkout: Path
     cache: Path
 
@@ -140,7 +136,6 @@ class Shared:
         return folder / "group"
 
     def call(self, *words: str, **environment: str) -> tuple[str, str]:
-        """Calls its `rosml`; what it prints."""
         become = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"] if os.geteuid() == 0 else []
         self.checkout.chmod(0o555)
         env = {"PATH": f"{self.checkout}/mine:{os.environ['PATH']}", "XDG_CACHE_HOME": str(self.cache), **environment}
@@ -182,7 +177,6 @@ def test_somebody_who_may_not_write_to_the_checkout_has_their_own_packages(share
 
 
 def test_somebody_who_may_not_write_to_the_checkout_takes_its_packages(shared: Shared) -> None:
-    """Also older ones, and where they may not look into what set-up keeps."""
     mark = shared.installed()
     (shared.checkout / ".state").mkdir(mode=0o700 if os.geteuid() == 0 else 0)
     called = f"{shared.checkout}/.venv/bin/python {shared.checkout}/src run x\n"
@@ -196,5 +190,4 @@ def test_somebody_who_may_not_write_to_the_checkout_takes_its_packages(shared: S
     ("words", "given"), [((), "up"), (("clean",), "clean"), (("status", "--json"), "status --json")]
 )
 def test_set_up_installs_for_itself(checkout: Path, words: tuple[str, ...], given: str) -> None:
-    """Nothing is installed to be removed."""
     assert rosml(checkout, "setup", *words) == (f"bootstrap {given}\n", "")

@@ -15,7 +15,6 @@ ADDRESS = "https://forge.example/us/rosml"
 
 
 def lacking(repository: str, matrix: str, readme: str) -> list[str]:
-    """The places that do not say what [project.urls] says. The `source:` of a fork is its own."""
     clone = f"git clone {repository or '<address of this repository>'} rosml"
     return [
         *(["matrix.yaml: source"] if repository and not fork.source(matrix) else []),

@@ -13,7 +13,6 @@ from tests.recording import CAST, COMMANDS, Command, Event
 
 
 def test_what_is_typed_is_what_would_be_recorded() -> None:
-    """So that whoever changes a command records it again. The last one goes on from the line `try`."""
     cast = recording.read()
     assert [cast["list"].typed, cast["containerize"].typed] == [COMMANDS["list"], COMMANDS["containerize"]]
     assert (

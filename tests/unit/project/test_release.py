@@ -26,7 +26,6 @@ case "$*" in "release view "*|"api repos"*) [ -e "$CALLS.there" ] ;; esac
 
 @pytest.fixture
 def project(tmp_path: Path) -> Path:
-    """A clone whose changelog has a section in work, and its remote."""
     folder = tmp_path / "project"
     folder.mkdir()
     walk.clone(folder)
@@ -38,7 +37,6 @@ def project(tmp_path: Path) -> Path:
 
 
 def release(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
-    """Calls scripts/release.py of a clone."""
     tools = folder.parent / "programs"
     tools.mkdir(exist_ok=True)
     (tools / "gh").write_text(GH)

@@ -31,7 +31,6 @@ def requirements(name: str) -> str:
 
 
 def check(root: Path) -> subprocess.CompletedProcess[str]:
-    """Whether the files of a checkout are those of its pyproject.toml; asks no index."""
     argv = [sys.executable, str(root / "scripts/requirements.py"), "--check"]
     return subprocess.run(argv, capture_output=True, text=True, check=False)
 
@@ -99,7 +98,6 @@ def test_they_agree_with_one_another() -> None:
 
 
 def wheel(folder: Path, name: str, needs: str = "", code: str = "") -> str:
-    """Makes a wheel of one module; its sha256."""
     folder.mkdir(exist_ok=True)
     info = f"{name}-1.0.dist-info"
     metadata = f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n" + (f"Requires-Dist: {needs}\n" if needs else "")
@@ -132,7 +130,6 @@ def bare(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bootstrap:
 
 
 def install(bare: Bootstrap, group: str) -> None:
-    """Installs a group of packages."""
     found = os.environ.get("UV") or shutil.which("uv") or str(ROOT / ".state/bin/uv")
     assert Path(found).exists(), "rosml setup installs uv"
     with bare.module.lock():
@@ -144,7 +141,6 @@ def installed(bare: Bootstrap) -> set[str]:
 
 
 def ask(bare: Bootstrap, group: str, wanted: Mapping[str, str]) -> set[str]:
-    """Installs a group of packages, given by name and sha256; what is there then."""
     text = "".join(f"{name}==1.0 --hash=sha256:{digest}\n" for name, digest in wanted.items())
     (bare.root / f"tools/requirements-{group}.txt").write_text(text)
     install(bare, group)
@@ -152,7 +148,6 @@ def ask(bare: Bootstrap, group: str, wanted: Mapping[str, str]) -> set[str]:
 
 
 def test_what_is_installed_is_what_is_asked_for_by_hash(bare: Bootstrap, tmp_path: Path) -> None:
-    """What a package requires is not chosen during installation, and what is no longer asked for goes."""
     one, two = {"one": wheel(tmp_path / "wheels", "one", needs="three")}, {"two": wheel(tmp_path / "wheels", "two")}
     wheel(tmp_path / "wheels", "three")
     assert ask(bare, "dev", one | two) == {"one-1.0.dist-info", "two-1.0.dist-info"}
@@ -217,7 +212,6 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> Pristine:
 
 @pytest.fixture
 def install_in_ci(tmp_path: Path, environment: Pristine) -> Iterator[Callable[[], subprocess.CompletedProcess[str]]]:
-    """Runs containerize/install.sh of a checkout whose wheel `backend` makes, with the packages that are in a folder."""
     root = tmp_path / "checkout"
     (root / "tools").mkdir(parents=True)
     (root / "containerize").mkdir()

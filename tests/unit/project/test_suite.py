@@ -17,7 +17,6 @@ from tests.suite import Outcome
 
 
 def test_a_proof_whose_set_up_fails_is_not_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The others are; the run fails and names it."""
     ran: list[str] = []
 
     def run(phase: suite.Phase) -> Outcome:

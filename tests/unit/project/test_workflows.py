@@ -20,20 +20,17 @@ from rosml.cli.images import publish
 from rosml.containerize.ci import files as ci_files
 
 NAMES = ("ci", "locks", "nightly", "proofs", "release")
-"""Workflows of our own; test_ci_files.py is about the one that other repositories call."""
 
 JOBS = {(name, job): content for name in NAMES for job, content in load(name)["jobs"].items()}
 RUNS = [(key, step) for key, job in JOBS.items() for step in job["steps"] if "run" in step]
 
 WRITERS = {"repositories", "images", "record", "index", "promote", "rosdep"}
-"""Steps that write into the registry."""
 
 FROM_SOURCE = {
     "./rosml setup",
     *(f"./rosml setup {name}" for name in ("linters", "scanner", "signer", "suite")),
     *(f"make {name}" for name in ("test", "test-all", "test-scanner", "test-signer", "lint", "unit")),
 }
-"""Commands that build programs from their Go modules."""
 
 
 # ---- Commands --------------------------------------------------------------------------------------------------------
@@ -78,7 +75,6 @@ def test_what_there_is_not_is_told(arguments: list[str], reason: str) -> None:
 @pytest.mark.parametrize(("value", "signs"), [("", False), ("false", False), ("true", True)])
 @pytest.mark.parametrize("name", ["index", "promote"])
 def test_a_variable_says_whether_to_sign(name: str, value: str, signs: bool, monkeypatch: pytest.MonkeyPatch) -> None:
-    """The nightly sets it, true or false."""
     monkeypatch.setenv("ROSML_SIGN", value)
     command = publish.main.commands[name]
     (option,) = [item for item in command.params if item.name == "sign"]
@@ -89,7 +85,6 @@ def test_a_variable_says_whether_to_sign(name: str, value: str, signs: bool, mon
 
 
 def built(step: dict[str, Any]) -> str:
-    """The command of a step without its options, if it builds programs."""
     words = re.match(r"(?:[a-z./-]+(?: |$))*", str(step.get("run", "")))
     return words[0].strip() if words and words[0].strip() in FROM_SOURCE else ""
 
@@ -119,7 +114,6 @@ def test_programs_are_kept_as_soon_as_they_are_built(key: tuple[str, str]) -> No
 
 
 def artifact_steps() -> Iterator[tuple[dict[str, Any], dict[str, Any]]]:
-    """Steps that hand something over, of all workflows and of the actions for other repositories, with the step before."""
     actions = [yaml.safe_load((ROOT / name).read_text())["runs"]["steps"] for name in (ci_files.ACTION, ci_files.INDEX)]
     for steps in (*(job["steps"] for job in JOBS.values()), *actions):
         for before, step in zip([{}, *steps], steps, strict=False):
@@ -146,7 +140,6 @@ def test_a_job_that_is_run_again_leaves_what_it_made_by_then() -> None:
 
 
 def test_the_scanner_may_not_publish() -> None:
-    """No job that runs it has the right, and none that has the right runs anything of the scanner's."""
     for (name, job), step in RUNS:
         words, rights = step["run"].split(), JOBS[name, job].get("permissions", {})
         if {"scanner", "test-scanner", "scan"} & {*words}:
@@ -175,7 +168,6 @@ def test_the_jobs_token_is_sent_to_no_other_registry() -> None:
 
 
 def test_what_a_fork_can_set_is_what_workflows_read() -> None:
-    """The variables and secrets that docs/nightly.md names, and no others."""
     section = (ROOT / "docs/nightly.md").read_text().partition("\n## In a fork\n")[2].partition("\n## ")[0]
     told = set(re.findall(r"`(ROSML_[A-Z]+)`", section))
     assert told == {name for file in NAMES for name in re.findall(r"\b(?:vars|secrets)\.(\w+)", text(file))}

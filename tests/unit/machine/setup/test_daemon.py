@@ -172,7 +172,6 @@ def test_daemon_starts_and_stops(sleeper: Daemon) -> None:
 
 
 def test_only_the_daemon_itself_is_stopped(sleeper: Daemon) -> None:
-    """Not what has another command line, such as the daemon of another checkout."""
     foreign = [*sleeper.argv[:-1], "/another.conf"]
     with subprocess.Popen(foreign) as other:
         sleeper.start()
@@ -209,7 +208,6 @@ def test_command_line_of_nobody() -> None:
 
 
 def test_config_of_the_registry(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Its port is kept for the next start, and no variable changes it."""
     text = registry.config(Path("/a b/.state/registry"), 5001, Path("/p"))
     config = json.loads(text)
     assert config["auth"] == {"writers": {"path": "/p"}}

@@ -60,7 +60,6 @@ require (
 
 
 def test_the_pin_of_a_program() -> None:
-    """A tool's module, or the one that a program of ours requires."""
     assert programs.parse_pin(PINNED) == programs.Pin("example.org/a/v3/cmd/a", "v3.1.2")
     ours = "module x.invalid/tools\n\nrequire example.org/a/v3 v3.1.2\n\nrequire (\n\texample.org/b v0.1.0 // indirect\n)\n"
     assert programs.parse_pin(ours) == programs.Pin(".", "v3.1.2")
@@ -202,7 +201,6 @@ def test_modules_are_fetched_in_the_background_and_no_longer_than_they_are_neede
 
 @pytest.fixture
 def go(state: State, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A checkout with one tool to build, and a local replacement for Go that writes the program."""
     go_module(state, "regctl")
     script = """case $1 in
   version) echo go version go1.26.8 linux/amd64 ;;

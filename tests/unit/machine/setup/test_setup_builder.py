@@ -182,7 +182,6 @@ def test_a_builder_whose_steps_get_no_network_of_their_own_says_so(
 
 @pytest.fixture
 def buildx(state: State) -> Path:
-    """A local replacement for buildx that writes down its calls and keeps records of builders as buildx does."""
     return program(
         state.root / "fake",
         "buildx",
@@ -209,7 +208,6 @@ RULES = """*filter
 
 @pytest.fixture
 def docker(state: State, buildx: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A local replacement for Docker's client that answers for the container of a builder, and writes down its calls."""
     root = state.root
     for name, text in {"lacking": "", "resolv": "nameserver 10.0.0.1\n", "routes": ROUTES, "rules": RULES}.items():
         (root / name).write_text(text)
@@ -237,7 +235,6 @@ esac"""
 
 
 def up(state: State, buildx: Path, capsys: pytest.CaptureFixture[str]) -> str:
-    """The messages of setting up a builder in Docker."""
     builder.up(state, services_of(state, "docker", str(buildx)), IMAGE)
     return capsys.readouterr().out
 
@@ -271,7 +268,6 @@ def test_steps_of_a_builder_in_docker_get_a_network_of_their_own(
 def test_a_builder_in_docker_is_stopped_with_its_bridge(
     state: State, buildx: Path, docker: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """And no rule of others goes."""
     up(state, buildx, capsys)
     bridge = step_network.Bridge.read(state.root / "container.toml")
     assert bridge
