@@ -179,15 +179,15 @@ def write_locks(root: Path, image_set: sets.ImageSet) -> None:
             (root / lock).write_text(f"{names.wheels_head(item.distribution, architecture, item.python)}\n{pins}")
 
 
-def changed(old: str, new: str, text: str = SMALL) -> str:
-    assert text.count(old) == 1, f"{text.count(old)} times in the matrix: {old!r}"
-    return text.replace(old, new)
+def changed(place: str, replacement: str, text: str = SMALL) -> str:
+    assert text.count(place) == 1, f"{text.count(place)} times in the matrix: {place!r}"
+    return text.replace(place, replacement)
 
 
 @pytest.fixture
 def stand_in() -> Iterator[StandIn]:
-    with standing_in() as found:
-        yield found
+    with standing_in() as server:
+        yield server
 
 
 @pytest.fixture(scope="session")
@@ -224,9 +224,9 @@ def image_set(project: Path) -> sets.ImageSet:
 
 
 def smaller(project: Path, text: str = SMALLER) -> sets.ImageSet:
-    found = parse(text)
-    write_locks(project, found)
-    return locked.with_locks(found, locked.current_locks(found, project))
+    image_set = parse(text)
+    write_locks(project, image_set)
+    return locked.with_locks(image_set, locked.current_locks(image_set, project))
 
 
 @pytest.fixture

@@ -101,23 +101,23 @@ def test_outside_of_the_virtual_environment(called: str) -> None:
     """Without any packages: before the first of them is imported, wherever that is."""
     argv = [sys.executable, "-S", *called.removeprefix("python ").split(), "--help"]
     done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
-    told = (
+    message = (
         f"error: not installed: {', '.join((*environment.RUN, *environment.IMAGES))}\n"
         f"remedy: {'rm -r .venv, then call it again' if called == 'src' else 'run this with .venv/bin/python; ./rosml makes it'}\n"
     )
-    assert (done.returncode, done.stdout, done.stderr) == (2, "", told)
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", message)
 
 
 def all_commands(command: click.Command, name: str) -> Iterator[tuple[str, click.Command]]:
     yield name, command
-    for inner, found in command.commands.items() if isinstance(command, click.Group) else ():
-        yield from all_commands(found, f"{name} {inner}")
+    for inner, subcommand in command.commands.items() if isinstance(command, click.Group) else ():
+        yield from all_commands(subcommand, f"{name} {inner}")
 
 
 COMMANDS = {
-    name: found
+    name: subcommand
     for word in ("catalogue", "generate", "join", "locks", "publish")
-    for name, found in all_commands(main.cli.commands[word], f"rosml {word}")
+    for name, subcommand in all_commands(main.cli.commands[word], f"rosml {word}")
 } | {"docs.py": docs.main, "requirements.py": requirements.main, "python -m bench": bench.main}
 PROGRAMS = {"rosml ": main.cli, "scripts/docs.py": COMMANDS["docs.py"], "python -m bench": bench.main}
 PROGRAMS["scripts/requirements.py"] = COMMANDS["requirements.py"]
@@ -125,9 +125,9 @@ PROGRAMS["scripts/requirements.py"] = COMMANDS["requirements.py"]
 
 @pytest.mark.parametrize("name", COMMANDS)
 def test_help_has_an_example(name: str) -> None:
-    told = COMMANDS[name].get_help(click.Context(COMMANDS[name], info_name=name, **COMMANDS[name].context_settings))
-    _, found, examples = told.partition("Example")
-    assert found, told
+    text = COMMANDS[name].get_help(click.Context(COMMANDS[name], info_name=name, **COMMANDS[name].context_settings))
+    _, heading, examples = text.partition("Example")
+    assert heading, text
     lines = examples.partition("\n\n")[0].replace("\\\n", " ").splitlines()[1:]
     shown = [line.strip().removeprefix("uv run ") for line in lines]
     calls = [
@@ -145,7 +145,7 @@ def test_a_command_that_is_mistyped(words: list[str], meant: str, capsys: pytest
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "remedy"),
     [
         (["up"], "rosml setup"),
         (["search", "jazzy"], "rosml list"),
@@ -154,13 +154,13 @@ def test_a_command_that_is_mistyped(words: list[str], meant: str, capsys: pytest
         (["stop"], "docker stop, for a container; rosml setup down, for the local registry and the builder"),
     ],
 )
-def test_a_command_that_is_elsewhere(words: list[str], told: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_command_that_is_elsewhere(words: list[str], remedy: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(main.cli, arguments=words) == 2
-    assert capsys.readouterr().err.endswith(f"It is: {told}\n")
+    assert capsys.readouterr().err.endswith(f"It is: {remedy}\n")
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "message"),
     [
         (["--list"], "No such option '--list'. Options of a command stand after it."),
         (["--registry", "x", "list"], "No such option '--registry'. Options of a command stand after it."),
@@ -170,9 +170,9 @@ def test_a_command_that_is_elsewhere(words: list[str], told: str, capsys: pytest
         (["explain", "jazzy", "torch"], "it is one name, such as jazzy-base-torch-cu130"),
     ],
 )
-def test_words_at_a_wrong_place(words: list[str], told: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_words_at_a_wrong_place(words: list[str], message: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(main.cli, arguments=words) == 2
-    assert told in capsys.readouterr().err
+    assert message in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(
@@ -208,10 +208,10 @@ def test_colour_on_a_terminal_only(no_color: str, coloured: bool) -> None:
         "sys.exit(command.run(click.Command('x', callback=fail), arguments=[]))"
     )
     env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": no_color, "TERM": "xterm"}
-    returned, told = on_a_terminal(code, env=env)
+    returned, output = on_a_terminal(code, env=env)
     assert returned == 1
-    assert b"==> work" in told and b"no room" in told
-    assert (b"\x1b[" in told) == coloured
+    assert b"==> work" in output and b"no room" in output
+    assert (b"\x1b[" in output) == coloured
 
 
 LOOKS = re.compile(r"\n(import rosml\.base\.environment  # noqa|from rosml\.__main__ import run\n)")
@@ -224,14 +224,14 @@ def test_every_command_looks_for_its_packages() -> None:
 
 def test_what_is_looked_for_is_what_the_project_asks_for() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    asked = project["dependencies"]
+    dependencies = project["dependencies"]
     names = [
         item.lower()
         .partition("==")[0]
         .replace("pyyaml", "yaml")
         .replace("backports.zstd", environment.ZSTD)
         .removesuffix("-python")
-        for item in asked
+        for item in dependencies
     ]
     assert names == [*environment.RUN, *environment.IMAGES]
 
@@ -331,7 +331,7 @@ def test_commands_print_an_object_for_an_error(script: str, tmp_path: Path) -> N
     assert json.loads(done.stdout)["error"] in done.stderr
 
 
-def made(folder: Path, name: str) -> None:
+def fail_on_disk(folder: Path, name: str) -> None:
     (folder / "a").write_text("a file")
     (folder / "b").mkdir()
     works: dict[str, Callable[[], object]] = {
@@ -356,7 +356,7 @@ def made(folder: Path, name: str) -> None:
 )
 def test_what_is_in_the_way_is_named(name: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """As where `.state/log` is a file."""
-    assert command.run(ending(lambda: made(tmp_path, name)), arguments=[]) == 1
+    assert command.run(ending(lambda: fail_on_disk(tmp_path, name)), arguments=[]) == 1
     err = capsys.readouterr().err
     assert err.startswith("error: " + says.format(tmp_path)) and "Errno" not in err
 

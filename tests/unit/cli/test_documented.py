@@ -61,7 +61,7 @@ def parsed(command: str, image_set: ImageSet, page: str) -> None:
     while argv and re.match(r"[A-Z_]+=", argv[0]):
         argv = argv[1:]
     if argv[:1] == ["make"]:
-        made(argv[1:], image_set if not page.startswith(EXTEND) else None)
+        check_make(argv[1:], image_set if not page.startswith(EXTEND) else None)
     elif argv[:1] in (["rosml"], ["./rosml"]):
         if "--help" not in argv:
             accepted(main.cli, argv[1:])
@@ -89,9 +89,9 @@ def test_base_images_that_a_page_shows_are_called_like_that(page: str, real: Ima
     assert wrong == []
 
 
-def made(given: list[str], image_set: ImageSet | None) -> None:
+def check_make(words: list[str], image_set: ImageSet | None) -> None:
     targets = {line.split(":")[0] for line in MAKEFILE.splitlines() if re.match(r"[a-z0-9-]+:.* ## ", line)}
-    for word in given:
+    for word in words:
         name, equals, value = word.partition("=")
         if not equals:
             assert word in targets, f"make has no target {word}"
@@ -115,8 +115,8 @@ def test_a_night_without_github(tmp_path: Path, real: ImageSet, whose: str, fail
     place of steps."""
     (script,) = [block.text for block in blocks(ROOT / "docs/registry.md") if block.title == "night.sh"]
     if whose == "a set's":
-        found = own_set.chosen(real, [], [], "registry.example.com/robots", "")
-        script = own_set.files(real, found, own_set.Upstream("https://git.example.com/me/rosml", "0" * 40))[
+        choice = own_set.chosen(real, [], [], "registry.example.com/robots", "")
+        script = own_set.files(real, choice, own_set.Upstream("https://git.example.com/me/rosml", "0" * 40))[
             own_set.NIGHT
         ]
     (tmp_path / "night.sh").write_text(script)

@@ -17,8 +17,8 @@ COUNT = 5_000 if os.environ.get("HYPOTHESIS_PROFILE") == "thorough" else 200
 
 @pytest.mark.parametrize("name", parsers.PARSERS)
 def test_a_parser_takes_any_document(name: str) -> None:
-    found = [*fuzz.problems("fakes.parsers", name, COUNT)]
-    assert not found, f"{len(found)} of {COUNT}:\n" + "\n".join(found[:20])
+    problems = [*fuzz.problems("fakes.parsers", name, COUNT)]
+    assert not problems, f"{len(problems)} of {COUNT}:\n" + "\n".join(problems[:20])
 
 
 @pytest.mark.parametrize(
@@ -34,8 +34,8 @@ def test_a_parser_takes_any_document(name: str) -> None:
     ],
 )
 def test_the_fuzz_catches_what_no_parser_may_do(name: str, says: str) -> None:
-    found = [*fuzz.problems("fakes.bad_parsers", name, 1)]
-    assert len(found) == 1 and re.match(f"{name} 0: {says}", found[0]), found
+    problems = [*fuzz.problems("fakes.bad_parsers", name, 1)]
+    assert len(problems) == 1 and re.match(f"{name} 0: {says}", problems[0]), problems
 
 
 @pytest.mark.parametrize("name", parsers.PARSERS)

@@ -100,8 +100,8 @@ def test_its_help_ends_with_where_to_find_more(wheel: Path, tmp_path: Path, monk
     assert installed(copy, tmp_path, "--help").stdout.endswith("Help:\n  Issues: https://forge.example/rosml/issues\n")
     (tmp_path / "pyproject.toml").write_text('[project.urls]\nDocumentation = "https://docs.example/rosml"\n')
     monkeypatch.setattr(addresses, "ROOT", tmp_path)
-    said = CliRunner().invoke(main.cli, ["--help"]).output
-    assert said.endswith("Help:\n  Documentation: https://docs.example/rosml\n")
+    output = CliRunner().invoke(main.cli, ["--help"]).output
+    assert output.endswith("Help:\n  Documentation: https://docs.example/rosml\n")
 
 
 @pytest.mark.parametrize("words", ["", *(name for name, command in ALL.items() if isinstance(command, click.Group))])
@@ -116,8 +116,8 @@ def test_a_list_of_commands_has_one_whole_sentence_for_each(words: str) -> None:
 
 
 def test_its_version(wheel: Path, tmp_path: Path) -> None:
-    said = CliRunner().invoke(main.cli, ["--version"]).output
-    assert said == installed(wheel, tmp_path, "--version").stdout == f"rosml, version {rosml.__version__}\n"
+    output = CliRunner().invoke(main.cli, ["--version"]).output
+    assert output == installed(wheel, tmp_path, "--version").stdout == f"rosml, version {rosml.__version__}\n"
     assert (wheel / f"rosml-{rosml.__version__}.dist-info").is_dir()
 
 
@@ -125,28 +125,28 @@ def test_a_target_and_a_tag_are_both_understood() -> None:
     def explained(name: str) -> object:
         return json.loads(CliRunner().invoke(main.cli, ["explain", name, "--json"]).output)
 
-    found = explained(JOINED.target)
-    assert found == explained(JOINED.tags[0])
-    assert isinstance(found, dict) and found["exists"] and len(found["reasons"]) > 3
+    facts = explained(JOINED.target)
+    assert facts == explained(JOINED.tags[0])
+    assert isinstance(facts, dict) and facts["exists"] and len(facts["reasons"]) > 3
 
 
 def test_a_list_of_groups() -> None:
-    wanted = [JOINED.distribution, JOINED.framework]
-    listed = json.loads(CliRunner().invoke(main.cli, ["list", *wanted, "--json"]).output)
-    assert listed and all(set(wanted) <= set(image["groups"]) for image in listed)
+    groups = [JOINED.distribution, JOINED.framework]
+    listed = json.loads(CliRunner().invoke(main.cli, ["list", *groups, "--json"]).output)
+    assert listed and all(set(groups) <= set(image["groups"]) for image in listed)
 
 
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_shells_complete(shell: str) -> None:
-    def asked(instruction: str, **facts: str) -> str:
+    def completion(instruction: str, **facts: str) -> str:
         env = {**os.environ, "_ROSML_COMPLETE": f"{shell}_{instruction}", **facts}
         return subprocess.run([sys.executable, "src"], cwd=ROOT, env=env, capture_output=True, text=True).stdout
 
-    assert "rosml" in asked("source")
+    assert "rosml" in completion("source")
     begun = JOINED.target[:-2]
     words = {"COMP_WORDS": f"rosml explain {begun}", "COMP_CWORD": begun if shell == "fish" else "2"}
-    assert JOINED.target in asked("complete", **words)
-    assert "publish" in asked("complete", COMP_WORDS="rosml pu", COMP_CWORD="pu" if shell == "fish" else "1")
+    assert JOINED.target in completion("complete", **words)
+    assert "publish" in completion("complete", COMP_WORDS="rosml pu", COMP_CWORD="pu" if shell == "fish" else "1")
 
 
 def test_a_command_to_try_is_one_that_its_caller_can_call(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -179,8 +179,8 @@ def test_a_command_to_try_is_one_that_its_caller_can_call(tmp_path: Path, monkey
     ],
 )
 def test_an_option_for_a_machine_is_named(words: str, ours: str) -> None:
-    said = CliRunner().invoke(main.cli, words.split()).output
-    assert re.search(rf"No such option '--\w+'\. It is {ours} here\.", said), said
+    output = CliRunner().invoke(main.cli, words.split()).output
+    assert re.search(rf"No such option '--\w+'\. It is {ours} here\.", output), output
 
 
 def test_where_the_matrix_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -228,9 +228,9 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     (file,) = folder.glob("rosml-*.whl")
     with zipfile.ZipFile(file) as archive:
         for member in archive.infolist():  # as pip does: what is a program stays one
-            made = Path(archive.extract(member, folder / "site"))
+            path = Path(archive.extract(member, folder / "site"))
             if member.external_attr >> 16 & 0o111:
-                made.chmod(made.stat().st_mode | 0o111)
+                path.chmod(path.stat().st_mode | 0o111)
     return folder / "site"
 
 
@@ -255,11 +255,11 @@ def test_what_needs_no_checkout(wheel: Path, tmp_path: Path) -> None:
 
 def test_states_of_a_registry(wheel: Path, tmp_path: Path) -> None:
     with standing_in() as place:
-        asked = ("--registry", f"{place.address}/rosml", "--only", IMAGES[0].target, "--json")
-        done = installed(wheel, tmp_path, "status", *asked)
+        options = ("--registry", f"{place.address}/rosml", "--only", IMAGES[0].target, "--json")
+        done = installed(wheel, tmp_path, "status", *options)
         assert done.returncode == 0, done.stderr
         assert {image["target"] for image in json.loads(done.stdout)["images"]} >= {IMAGES[0].target}
-        page = installed(wheel, tmp_path, "catalogue", *asked[:4])
+        page = installed(wheel, tmp_path, "catalogue", *options[:4])
         assert page.returncode == 0, page.stderr
     assert (tmp_path / "home/.cache/rosml/catalogue/index.html").is_file()
     assert not (wheel / "rosml/data/.state").exists()
@@ -268,9 +268,9 @@ def test_states_of_a_registry(wheel: Path, tmp_path: Path) -> None:
 def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
     with standing_in() as place, Registry(place.address) as client:
         ros = parts.ros().put(client, "me/ros", "ros1-bookworm-core", ["linux/amd64"])
-        own = parts.stack(client, "me/part", ("cuda", "common", "torch"), "cu128")
+        stack_parts = parts.stack(client, "me/part", ("cuda", "common", "torch"), "cu128")
         tag = f"{place.address}/me/mine:latest"
-        done = installed(wheel, tmp_path, "join", ros, *own, "--tag", tag)
+        done = installed(wheel, tmp_path, "join", ros, *stack_parts, "--tag", tag)
         assert done.returncode == 0, done.stderr
         assert done.stdout.startswith(f"{tag}@{client.head('me/mine', 'latest')}\n")
     assert not (wheel / "rosml/data/.state").exists()
@@ -336,8 +336,8 @@ def test_the_installed_command_runs_nothing_of_the_folder(wheel: Path, tmp_path:
     assert not (folder / "ran").exists()
     assert "Traceback" not in done.stderr
     if words in OF_A_CHECKOUT:
-        own = f"call its own command: '{folder}/rosml'\n"
-        assert (done.returncode, done.stderr.endswith(own)) == (2, True), done.stderr
+        remedy = f"call its own command: '{folder}/rosml'\n"
+        assert (done.returncode, done.stderr.endswith(remedy)) == (2, True), done.stderr
     if words.startswith("init"):
         assert done.returncode == 0 and (folder / "ros/.env").is_file()
     if words == "list":
@@ -370,22 +370,22 @@ def test_without_a_checkout_a_registry_is_named(wheel: Path, tmp_path: Path, wor
 
 
 def test_what_is_wrong_is_told_before_services_are_asked_for(repository: Path) -> None:
-    for given, says in {
+    for words, says in {
         "plan --date nonsense": "'nonsense' is no time",
         "plan --only nonsense": "no image named 'nonsense'",
         "publish test --plan matrix.yaml": "matrix.yaml is no plan",
     }.items():
-        argv = [sys.executable, "src", *given.split()]
+        argv = [sys.executable, "src", *words.split()]
         done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
         assert (done.returncode, says in done.stderr) == (2, True), done.stderr
 
 
 def test_a_file_that_is_no_text_is_named(repository: Path) -> None:
-    for name, given in (("Dockerfile", "list --json"), ("docs/tags.md", "generate --check")):
+    for name, words in (("Dockerfile", "list --json"), ("docs/tags.md", "generate --check")):
         file = repository / name
         whole = file.read_bytes()
         file.write_bytes(b"# \n\xff" + whole)
-        argv = [sys.executable, "src", *given.split()]
+        argv = [sys.executable, "src", *words.split()]
         done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
         assert done.returncode == 2
         assert done.stderr == f"error: {name}:2: not UTF-8 (byte 0xff)\nremedy: save the file as UTF-8\n"
@@ -442,7 +442,7 @@ MAKES = re.compile(rf"\bmake ({TARGETS})\b|publish\.py [a-z]")
 """A command in other words than its own."""
 
 
-def told() -> Iterator[str]:
+def texts_with_commands() -> Iterator[str]:
     """Texts of the library that name a command; what people write about code is none of them."""
     for file in sorted((ROOT / "src/rosml").rglob("*.py")):
         tree = ast.parse(file.read_text())
@@ -452,12 +452,12 @@ def told() -> Iterator[str]:
 
 
 def exists(words: list[str]) -> bool:
-    found: click.Command = main.cli
-    while isinstance(found, click.Group) and words and words[0] in found.commands:
-        found, words = found.commands[words[0]], words[1:]
-    options = {name for parameter in found.get_params(click.Context(found)) for name in parameter.opts}
+    command: click.Command = main.cli
+    while isinstance(command, click.Group) and words and words[0] in command.commands:
+        command, words = command.commands[words[0]], words[1:]
+    options = {name for parameter in command.get_params(click.Context(command)) for name in parameter.opts}
     words = words[: [*words, "--"].index("--")]  # a command in a container stands after it
-    return found is not main.cli and {word for word in words if word.startswith("--")} <= options
+    return command is not main.cli and {word for word in words if word.startswith("--")} <= options
 
 
 def unknown_commands(text: str) -> list[str]:
@@ -466,15 +466,15 @@ def unknown_commands(text: str) -> list[str]:
 
 
 def test_every_command_that_a_message_names_is_one_that_there_is() -> None:
-    texts = sorted(set(told()))
+    texts = sorted(set(texts_with_commands()))
     assert len(texts) > 20
     assert [call for text in texts for call in unknown_commands(text)] == []
 
 
 @pytest.mark.parametrize("command", ALL)
 def test_its_help_speaks_of_its_own_commands(command: str) -> None:
-    said = " ".join(CliRunner().invoke(main.cli, [*command.split(), "--help"]).output.split())
-    assert not MAKES.search(said.replace("`make test`", ""))
+    text = " ".join(CliRunner().invoke(main.cli, [*command.split(), "--help"]).output.split())
+    assert not MAKES.search(text.replace("`make test`", ""))
     assert not unknown_commands(ALL[command].help or "")
 
 
@@ -493,6 +493,6 @@ def test_an_interrupted_join_ends_at_once(wheel: Path, tmp_path: Path) -> None:
         hole.accept()
         time.sleep(0.2)
         process.send_signal(signal.SIGINT)
-        _, said = process.communicate(timeout=20)
+        _, errors = process.communicate(timeout=20)
     assert process.returncode == 130
-    assert "no tag was moved" in said
+    assert "no tag was moved" in errors

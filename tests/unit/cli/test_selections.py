@@ -35,7 +35,7 @@ CODES = {0, 1, 2, 3, 4}
 
 LOAD = load.load
 COMMANDS: dict[str, click.Command] = {
-    **{f"publish {name}": found for name, found in publish.main.commands.items()},
+    **{f"publish {name}": subcommand for name, subcommand in publish.main.commands.items()},
     **{
         name: main.cli.commands[name]
         for name in (
@@ -315,9 +315,9 @@ def test_an_image_stands_as_it_stands_whatever_else_is_asked_for(
         shop, capsys, place, "ros1-bookworm-core", "ros1-bookworm-core-*-cu1[23]?", "jazzy-wheels-core*-cpu"
     )
     for target in NARROW:
-        found = status_of(shop, capsys, place, target)
-        assert target in found
-        assert found == {name: every[name] for name in found}
+        images = status_of(shop, capsys, place, target)
+        assert target in images
+        assert images == {name: every[name] for name in images}
 
 
 @pytest.fixture
@@ -331,8 +331,8 @@ def without_services(shop: Shop) -> Iterator[None]:
 
 @pytest.mark.usefixtures("without_services")
 def test_another_registry_is_read_without_services(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
-    found = status_of(shop, capsys, "published", "ros1-bookworm-core")
-    assert found["ros1-bookworm-core"]["state"] == "published"
+    images = status_of(shop, capsys, "published", "ros1-bookworm-core")
+    assert images["ros1-bookworm-core"]["state"] == "published"
     words = ["--only", "ros1-bookworm-core"]
     assert ended(shop, "catalogue", [*words, "--registry", "{host}/published", "--json"], capsys)[0] == 0
     for name in ("status", "catalogue"):
@@ -353,8 +353,8 @@ def test_parts_are_planned_where_their_images_cannot_be_built(
     shop: Shop, capsys: pytest.CaptureFixture[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(load, "load", LOAD)
-    own = shutil.copy(ROOT / "matrix.yaml", tmp_path / "own.yaml")
-    words = ["--registry", "{host}/nothing", "--matrix", str(own), "--only", "jazzy-core*", "--json"]
+    matrix = shutil.copy(ROOT / "matrix.yaml", tmp_path / "own.yaml")
+    words = ["--registry", "{host}/nothing", "--matrix", str(matrix), "--only", "jazzy-core*", "--json"]
     code, out, err = ended(shop, "plan", words, capsys)
     assert code == 0, err
     plan = json.loads(out)

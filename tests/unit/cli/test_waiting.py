@@ -64,9 +64,9 @@ class Counted:
     def __init__(self, function: Any) -> None:
         self.function, self.calls = function, 0
 
-    def __call__(self, *given: Any, **named: Any) -> Any:
+    def __call__(self, *arguments: Any, **options: Any) -> Any:
         self.calls += 1
-        return self.function(*given, **named)
+        return self.function(*arguments, **options)
 
 
 def counted(monkeypatch: pytest.MonkeyPatch, module: Any, name: str) -> Counted:

@@ -54,20 +54,20 @@ def problem(parser: Parser, document: bytes, folder: Path) -> str:
     try:
         parser.read(document, folder)
     except InputError as error:  # each of its lines says what to do
-        found = "" if error.message and error.exit_code == 2 else f"no message: {error!r}"
+        message = "" if error.message and error.exit_code == 2 else f"no message: {error!r}"
     except RosmlError as error:
         codes = (1, 2, SCANNER_FAILED)
-        found = (
+        message = (
             "" if error.remedy and error.exit_code in codes else f"no remedy, or exit code {error.exit_code}: {error}"
         )
     except SystemExit as error:  # of a script: what is wrong; what to do
-        found = "" if re.match("error: (.|\n)+; .+", str(error.code)) else f"no remedy: {error.code}"
+        message = "" if re.match("error: (.|\n)+; .+", str(error.code)) else f"no remedy: {error.code}"
     except BaseException as error:
-        found = f"{type(error).__name__}: {error}"[:300]
+        message = f"{type(error).__name__}: {error}"[:300]
     else:
-        found = ""
+        message = ""
     seconds = time.process_time() - started
-    return found or (f"it takes {seconds:.1f} s" if seconds > SECONDS else "")
+    return message or (f"it takes {seconds:.1f} s" if seconds > SECONDS else "")
 
 
 def _work(module: str, name: str, first: int, count: int, out: Connection) -> None:
@@ -81,9 +81,9 @@ def _work(module: str, name: str, first: int, count: int, out: Connection) -> No
         for number, document in enumerate(cases, first):
             out.send((number, document[:200]))
             signal.setitimer(signal.ITIMER_PROF, 2 * SECONDS)  # whose signal ends the process
-            found = problem(parser, document, Path(tempfile.mkdtemp(dir=place)))
+            message = problem(parser, document, Path(tempfile.mkdtemp(dir=place)))
             signal.setitimer(signal.ITIMER_PROF, 0)
-            out.send(found)
+            out.send(message)
         out.send(None)
 
 
@@ -105,10 +105,10 @@ def problems(module: str, name: str, count: int) -> Iterator[str]:
         theirs.close()
         number, document = first, b""
         try:
-            while case := _said(ours):
+            while case := _receive(ours):
                 number, document = case
-                if found := _said(ours):
-                    yield f"{name} {number}: {found}: {document!r}"
+                if message := _receive(ours):
+                    yield f"{name} {number}: {message}: {document!r}"
             first = count
         except EOFError:
             process.join()
@@ -122,7 +122,7 @@ def problems(module: str, name: str, count: int) -> Iterator[str]:
             process.join()
 
 
-def _said(ours: Connection) -> Any:
+def _receive(ours: Connection) -> Any:
     if not ours.poll(PATIENCE):
         raise TimeoutError
     return ours.recv()

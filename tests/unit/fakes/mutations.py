@@ -75,10 +75,10 @@ def _special(document: bytes) -> Iterator[bytes]:
 
 
 def flip(random: Random, document: bytes) -> bytes:
-    found = bytearray(document or b"\0")
+    changed_bytes = bytearray(document or b"\0")
     for _ in range(random.choice((1, 1, 2, 8))):
-        found[random.randrange(len(found))] ^= 1 << random.randrange(8)
-    return bytes(found)
+        changed_bytes[random.randrange(len(changed_bytes))] ^= 1 << random.randrange(8)
+    return bytes(changed_bytes)
 
 
 def _span(random: Random, document: bytes) -> tuple[int, int]:
@@ -127,20 +127,20 @@ def _special_text(document: bytes) -> Iterator[bytes]:
 def line(random: Random, document: bytes) -> bytes:
     lines = document.split(b"\n")
     place = random.randrange(len(lines))
-    found = lines[place]
-    short = found[: LARGEST // 1000]
+    chosen = lines[place]
+    short = chosen[: LARGEST // 1000]
     lines[place : place + 1] = random.choice(
         (
             [],
-            [found] * 2,
+            [chosen] * 2,
             [short] * 1000,
-            [found, *[b" " + short] * 1000],
-            [found[::-1]],
-            [found.upper()],
-            [b" " + found],
-            [found + b" " + found],
-            [found + b"x" * 100_000],
-            [found, b""],
+            [chosen, *[b" " + short] * 1000],
+            [chosen[::-1]],
+            [chosen.upper()],
+            [b" " + chosen],
+            [chosen + b" " + chosen],
+            [chosen + b"x" * 100_000],
+            [chosen, b""],
             [random.choice(lines)],
         )
     )
@@ -148,19 +148,19 @@ def line(random: Random, document: bytes) -> bytes:
 
 
 def numbers(random: Random, document: bytes) -> bytes:
-    found = list(re.finditer(rb"\d+", document))
-    if not found:
+    matches = list(re.finditer(rb"\d+", document))
+    if not matches:
         return document + b"9" * 400
-    place = random.choice(found)
+    place = random.choice(matches)
     other = random.choice((b"0", b"-1", b"9" * 20, b"9" * 400, b"9" * 5000, b"1e9", "²".encode(), "٣".encode(), b"x"))
     return document[: place.start()] + other + document[place.end() :]
 
 
 def words(random: Random, document: bytes) -> bytes:
-    found = list(re.finditer(rb"[^\s=:<>,]+", document))
-    if not found:
+    matches = list(re.finditer(rb"[^\s=:<>,]+", document))
+    if not matches:
         return b"x"
-    place, other = random.choice(found), random.choice(found)[0]
+    place, other = random.choice(matches), random.choice(matches)[0]
     new = random.choice((b"", other, b"x" * 1000, b"../..", b"-", b"0", "é".encode("latin-1"), b"null"))
     return document[: place.start()] + new + document[place.end() :]
 

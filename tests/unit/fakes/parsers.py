@@ -22,7 +22,7 @@ import httpx
 import pytest
 from conftest import ROOT, SMALL
 
-from fakes import stubs
+from fakes import documents, stubs
 from fakes.fuzz import Parser
 from fakes.memory_registry import PREFIX, MemoryRegistry
 from fakes.mutations import tar_of
@@ -57,8 +57,7 @@ from rosml.images.builds import adopted, apt_sources, base_images, package_state
 from rosml.images.catalogue import scans
 from rosml.images.image_set import labels, load, lock_file, restricted, system
 from rosml.images.image_set.apt_repository import AptRepository
-from rosml.images.join import facts, file_lists
-from rosml.images.join import label_claims as told
+from rosml.images.join import facts, file_lists, label_claims
 from rosml.images.join.layers import Source
 from rosml.images.locks import index, resolve
 from rosml.images.matrix import source
@@ -83,20 +82,7 @@ from rosml.run.words import split
 T = TypeVar("T")
 
 NOW = datetime(2026, 11, 22, tzinfo=UTC)
-DIGEST = f"sha256:{'1' * 64}"
 SMALL_SET = load.image_set(source.parse(SMALL.encode()))
-
-SAVED = oci.encoded(
-    {"os": "linux", "architecture": "amd64", "rootfs": {"type": "layers", "diff_ids": [oci.digest_of(b"")]}}
-)
-SAVED_CONTENT = oci.encoded(
-    {
-        "schemaVersion": 2,
-        "config": oci.descriptor(oci.CONFIG, SAVED),
-        "layers": [oci.descriptor("application/vnd.oci.image.layer.v1.tar", b"")],
-    }
-)
-SAVED_MANIFEST = oci.descriptor(oci.IMAGE, SAVED_CONTENT)
 
 
 def written(name: str, read: Callable[[Path], object]) -> Callable[[bytes, Path], object]:
@@ -121,75 +107,6 @@ def as_json(*values: Any) -> tuple[bytes, ...]:
 
 # ---- Apps ------------------------------------------------------------------------------------------------------------
 
-MANIFEST = """\
-<?xml version="1.0" encoding="utf-8"?>
-<?xml-model href="http://download.ros.org/schema/package_format3.xsd" schematypens="http://www.w3.org/2001/XMLSchema"?>
-<package format="3">
-  <name>robot</name>
-  <version>0.1.0</version>
-  <description>Moves é</description>
-  <maintainer email="me@example.org">Me</maintainer>
-  <license>MIT</license>
-  <depend condition="$ROS_VERSION == 2">rclpy</depend>
-  <test_depend>python3-pytest</test_depend>
-</package>
-""".encode()
-
-ENV = b"""\
-# comment
-export BASE_IMAGE=ros:jazzy-base
-COMMAND='ros2 run a b'
-CMAKE_ARGS="-DA=\\"1\\" \\
- -DB=2"
-PUSH=false # no
-"""
-
-REPOS = b"repositories:\n  a/b: {type: git, url: https://example.org/a.git, version: 1.10}\n"
-
-LOCK = lock.Lock(
-    base_image=lock.Image(name="ros:jazzy-base", digest=DIGEST),
-    repositories={"up": lock.Pin(url="https://example.org/up.git", version="main", commit="c" * 40)},
-    apt={"amd64": {"tree": "2.1", "libc6:i386": "1:2.36+b1~x"}},
-    pip={"amd64": [f"toolz==1.0 --hash=sha256:{'0' * 64}", f"a @ git+https://example.org/a@{'c' * 40}"]},
-)
-
-KEYS = (
-    b"boost:\n  ubuntu: &a [libboost-dev]\n  debian:\n    bookworm: *a\nnumpy: {ubuntu: {pip: {packages: [numpy]}}}\n"
-)
-INDEX = (
-    b"distributions:\n  jazzy: {distribution: [jazzy/distribution.yaml], distribution_status: active}\ntype: index\n"
-)
-
-
-SUITE = """<testsuites><testsuite name="robot"><testcase name="good" classname="a"/>
-<testcase name="later"><skipped/></testcase><testcase name="bad"><failure message="1 is not 2"/></testcase>
-</testsuite><testsuite name="bad" failures="1"/></testsuites>"""
-
-CTEST = """<Site><Testing><Test Status="failed"><Name>bad</Name><FullCommandLine>bad</FullCommandLine><Results>
-<NamedMeasurement name="Exit Code"><Value>SEGFAULT</Value></NamedMeasurement>
-<Measurement><Value>last</Value></Measurement></Results></Test></Testing></Site>"""
-
-APP: dict[str, Any] = {
-    name: [] for name in ("packages", "changed", "replaced", "removed", "built", "lost", "absent", "outside", "pip")
-}
-APP |= {"architecture": "amd64", "apt": {"tree": "2.1"}, "forgotten": {}}
-
-JOB: dict[str, Any] = {
-    "target": "run",
-    "name": "ghcr.io/me/robot",
-    "tags": ["latest"],
-    "end": "-amd64",
-    "platforms": ["linux/amd64"],
-}
-JOB |= {"digest": DIGEST}
-
-PACKAGES = {
-    "system": {"name": "debian", "version": "12"},
-    "apt": [{"name": "tree", "version": "2", "architecture": "amd64", "source": "tree", "source_version": "2"}],
-    "python": [{"name": "toolz", "version": "1.0"}],
-    "ros": [{"name": "robot", "version": "1.0.0", "licenses": ["MIT"]}],
-}
-
 
 def said_of(document: bytes, folder: Path) -> object:
     (folder / "report.tar").write_bytes(gzip.decompress(tar_of(("app.json", document))))
@@ -204,9 +121,9 @@ def left_of(document: bytes, folder: Path) -> object:
 
 
 def job_of(document: bytes, folder: Path) -> object:
-    given = {"image-name": "ghcr.io/me/robot", "platform": "amd64", "push": "true"}
+    inputs = {"image-name": "ghcr.io/me/robot", "platform": "amd64", "push": "true"}
     job = ci_job.Job(
-        app_inputs.values(given, folder, {}), {}, ci_job.Commit("main", "", True, folder), lambda line: None
+        app_inputs.values(inputs, folder, {}), {}, ci_job.Commit("main", "", True, folder), lambda line: None
     )
     (folder / job.name).mkdir()
     (folder / job.name / ci_job.FILE).write_bytes(document)
@@ -216,7 +133,7 @@ def job_of(document: bytes, folder: Path) -> object:
 def rosdep_index_of(document: bytes, folder: Path) -> object:
     (folder / "rosdep").mkdir()
     (folder / "jazzy").mkdir()
-    (folder / "rosdep/base.yaml").write_bytes(KEYS)
+    (folder / "rosdep/base.yaml").write_bytes(documents.KEYS)
     (folder / "jazzy/distribution.yaml").write_bytes(b"repositories: {}\n")
     (folder / "index-v4.yaml").write_bytes(document)
     return rosdep_index.packed(folder)
@@ -227,7 +144,7 @@ def rosdep_list_of(document: bytes, folder: Path) -> object:
     (folder / "jazzy").mkdir()
     (folder / "rosdep/base.yaml").write_bytes(document)
     (folder / "jazzy/distribution.yaml").write_bytes(b"repositories: {}\n")
-    (folder / "index-v4.yaml").write_bytes(INDEX)
+    (folder / "index-v4.yaml").write_bytes(documents.INDEX)
     return rosdep_index.packed(folder)
 
 
@@ -248,52 +165,6 @@ def commands_of_compilers(file: Path) -> object:
     return script("compile_commands").main(file.parents[1], "/home/jo/robot")
 
 
-PIP = {
-    "version": "1",
-    "install": [
-        {
-            "download_info": {
-                "url": "https://example.org/a-1.whl",
-                "archive_info": {"hash": f"sha256={'0' * 64}", "hashes": {"sha256": "0" * 64}},
-            },
-            "is_direct": False,
-            "metadata": {"name": "a_b", "version": "1.0"},
-        },
-        {
-            "download_info": {
-                "url": "https://example.org/b",
-                "vcs_info": {"vcs": "git", "commit_id": "c" * 40, "requested_revision": "main"},
-                "subdirectory": "python",
-            },
-            "is_direct": True,
-            "metadata": {"name": "b", "version": "1.0"},
-        },
-        {
-            "download_info": {"url": "file:///x", "dir_info": {}},
-            "is_direct": True,
-            "metadata": {"name": "c", "version": "1"},
-        },
-    ],
-}
-
-STATUS = b"""\
-Package: libc6
-Status: install ok installed
-Architecture: amd64
-Source: glibc (2.36-9)
-Version: 2.36-9+b1
-Description: library
- of many lines
- .
- Moves \xc3\xa9
-
-Package: tree
-Status: install ok installed
-Architecture: all
-Version: 1:2.1
-"""
-
-
 def dpkg_of(document: bytes, folder: Path) -> object:
     file = folder / "var/lib/dpkg/status"
     file.parent.mkdir(parents=True)
@@ -307,22 +178,6 @@ def elf_of(document: bytes, folder: Path) -> object:
     return script("elf").elf(folder / "file"), script("elf").symbols(folder / "file")
 
 
-LIBRARY = {
-    "path": "a.so",
-    "id": "0" * 40,
-    "soname": "a",
-    "machine": [2, 1, 62],
-    "needed": ["b"],
-    "symbols": "AAAA",
-    "uses": ["c@D"],
-}
-FACTS = {
-    "packages": [{"name": "a", "architecture": "all", "version": "1", "depends": "b (>= 1)", "files": ["c"]}],
-    "libraries": [LIBRARY],
-    "files": ["d"],
-}
-
-
 def installed(name: str) -> Callable[[bytes, Path], object]:
     """Reads a file of the install space of an app, as programs of a build do."""
 
@@ -332,42 +187,12 @@ def installed(name: str) -> Callable[[bytes, Path], object]:
         file.write_bytes(document)
         file.chmod(0o755)
         (folder / "image").mkdir()
-        found = script("lacking").Lacking(folder / "image", folder, [], ["a"])
+        lacking = script("lacking").Lacking(folder / "image", folder, [], ["a"])
         link = script("link")
         link.INSTALL = folder / "docker-ros/ws/install"  # type: ignore[attr-defined]
-        return found.lost, found.absent, found.imported(folder / "image"), [*link.modules(), *link.not_found()]
+        return lacking.lost, lacking.absent, lacking.imported(folder / "image"), [*link.modules(), *link.not_found()]
 
     return read
-
-
-LAUNCH = b"""\
-<launch>
-  <arg name="x" default="y"/>
-  <node pkg="a" exec="b" name="c" if="$(var x)"><param from="$(find-pkg-share a)/config/d.yaml"/></node>
-  <include file="$(find a)/launch/e.launch"/>
-</launch>
-"""
-LAUNCH_IN_PYTHON = b"""\
-#!/usr/bin/env python3
-import a, json
-from launch_ros.actions import Node
-
-def generate_launch_description():
-    return [Node(package="a", executable="b")]
-"""
-ENTRY_POINTS = b"[console_scripts]\nb = a.b:main\nc = a.c:main [d]\n"
-MODULES = b"""\
-[submodule "a"]
-\tpath = a
-\turl = ../a.git
-[submodule "b/c"]
-\tpath = "b/c"
-\turl = https://example.org/c.git
-"""
-SETTINGS = (
-    b"submodule.a.path\na\0submodule.a.url\n../a.git\0submodule.b.path\nb\0submodule.b.url\nhttps://example.org/b\0"
-)
-REFS = f"{'c' * 40}\tHEAD\n{'c' * 40}\trefs/heads/main\n{'d' * 40}\trefs/tags/1.0\n{'e' * 40}\trefs/tags/1.0^{{}}\n".encode()
 
 
 def submodules_of(document: bytes, folder: Path) -> object:
@@ -378,28 +203,27 @@ def submodules_of(document: bytes, folder: Path) -> object:
             return links.pop() if links else ""
         return document.decode(errors="surrogateescape") if "config" in words else "c" * 40
 
-    there: Any = git
-    kept = sources_store.Store(there, folder, bool)
-    kept.write("https://example.org/x/y.git", versions.Version("c" * 40), folder / "into")
+    run_git: Any = git
+    source_store = sources_store.Store(run_git, folder, bool)
+    source_store.write("https://example.org/x/y.git", versions.Version("c" * 40), folder / "into")
     return sorted((folder / "into").iterdir())
 
 
-def refs_of(found: str) -> object:
+def refs_of(refs: str) -> object:
     def git(*_: str) -> str:
-        return found
+        return refs
 
-    there: Any = git
-    return [versions.resolve(there, "https://example.org/a.git", name) for name in ("", "main", "1.0")]
+    run_git: Any = git
+    return [versions.resolve(run_git, "https://example.org/a.git", name) for name in ("", "main", "1.0")]
 
 
 def repository_of(document: bytes, folder: Path) -> object:
     for name in (".git/config", ".git/HEAD", ".gitlab-ci.yml", "docker/Dockerfile", ".gitignore"):
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_bytes(document)
-    known, place = SMALL_SET.matrix, "ghcr.io/us/rosml"
-    wishes = forge.CiWishes(place=place, rosml="https://github.com/us/rosml")
-    found = forge.choose(folder, wishes, known, lambda _, choice: choice.value)
-    return found, [*init_folder.hints(folder, {})], init_folder.ignores_env(folder)
+    wishes = forge.CiWishes(place="ghcr.io/us/rosml", rosml="https://github.com/us/rosml")
+    choice = forge.choose(folder, wishes, SMALL_SET.matrix, lambda _, choice: choice.value)
+    return choice, [*init_folder.hints(folder, {})], init_folder.ignores_env(folder)
 
 
 def lists_of(document: bytes, folder: Path) -> object:
@@ -415,7 +239,7 @@ def lists_of(document: bytes, folder: Path) -> object:
 def projects_of(document: bytes, folder: Path) -> object:
     for name in ("a/package.xml", "b/CMakeLists.txt"):
         (folder / "src" / name).parent.mkdir(parents=True)
-        (folder / "src" / name).write_bytes(MANIFEST if name == "a/package.xml" else document)
+        (folder / "src" / name).write_bytes(documents.MANIFEST if name == "a/package.xml" else document)
     return workspace.write_manifests({"target": folder / "src"}, folder / "out")
 
 
@@ -428,21 +252,6 @@ def contents_of(name: str) -> Callable[[bytes, Path], object]:
 
 
 # ---- Registries and records ------------------------------------------------------------------------------------------
-
-ENTRY = store.Entry(
-    "alpha-base",
-    "amd64",
-    inputs="i",
-    repository="ros",
-    digest=DIGEST,
-    parts={"cuda": DIGEST},
-    size=1,
-    passed=2,
-    failures=("a",),
-    scan={"findings": {"high": 1}, "packages": 2, "updated": "2026-11-22T03:00:00Z", "failing": ["CVE-1"]},
-    seconds={"build": 1.5},
-    superseded=(DIGEST,),
-).to_json()
 
 
 def entry_of(document: bytes, folder: Path) -> object:
@@ -457,7 +266,7 @@ def entry_of(document: bytes, folder: Path) -> object:
 
 
 def scan_of(document: bytes, folder: Path) -> object:
-    entry = store.parse({**ENTRY, "scan": untrusted.json_of(document, "a")})
+    entry = store.parse({**documents.ENTRY, "scan": untrusted.json_of(document, "a")})
     return entry and scans.scan_of(entry)
 
 
@@ -465,7 +274,9 @@ class Receiver:
     def __init__(self) -> None:
         self.outcomes = list[Any]()
         self.records = store.Records(Place(MemoryRegistry(), PREFIX))
-        self.state = SimpleNamespace(entries={("alpha-base", "amd64"): store.parse(ENTRY)}, date="2026-11-22T03:00:00Z")
+        self.state = SimpleNamespace(
+            entries={("alpha-base", "amd64"): store.parse(documents.ENTRY)}, date="2026-11-22T03:00:00Z"
+        )
 
 
 def results_of(file: Path) -> object:
@@ -498,12 +309,14 @@ class Sent(MemoryRegistry):
 def layer_of(document: bytes, folder: Path) -> object:
     registry = Sent()
     registry.document = document
-    facts = Descriptor(mediaType="application/vnd.oci.image.layer.v1.tar+gzip", digest=DIGEST, size=len(document))
+    facts = Descriptor(
+        mediaType="application/vnd.oci.image.layer.v1.tar+gzip", digest=documents.DIGEST, size=len(document)
+    )
     texts, _ = apt_sources.read_layer(registry, references.Reference("registry.test", "base", "1"), facts)
     return apt_sources.parse(texts, "base")
 
 
-def archived(index: bytes = b"", manifest: bytes = b"", config: bytes = SAVED) -> bytes:
+def archived(index: bytes = b"", manifest: bytes = b"", config: bytes = documents.SAVED) -> bytes:
     layers = [oci.descriptor("application/vnd.oci.image.layer.v1.tar", b"")]
     content = {"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, config), "layers": layers}
     manifest = manifest or oci.encoded(content)
@@ -530,7 +343,9 @@ def server(answer: Callable[[httpx.Request], httpx.Response]) -> Registry:
 
 
 def sent(ask: Callable[[Registry], object]) -> Callable[[bytes, Path], object]:
-    return lambda document, folder: ask(server(lambda _: reply(200, document, {"docker-content-digest": DIGEST})))
+    return lambda document, folder: ask(
+        server(lambda _: reply(200, document, {"docker-content-digest": documents.DIGEST}))
+    )
 
 
 def error_of(document: bytes, folder: Path) -> object:
@@ -544,8 +359,8 @@ def token_of(document: bytes, folder: Path) -> object:
     def answer(request: httpx.Request) -> httpx.Response:
         if request.url.path == "/token":
             return reply(200, document)
-        known = "authorization" in request.headers
-        return reply(200, b'{"tags": ["a"]}') if known else reply(401, headers=asks)
+        authorized = "authorization" in request.headers
+        return reply(200, b'{"tags": ["a"]}') if authorized else reply(401, headers=asks)
 
     return server(answer).tags("a")
 
@@ -555,20 +370,20 @@ def headers_of(document: bytes, folder: Path) -> object:
     line = bytes(byte for byte in document[:16000] if byte >= 0x20 and byte != 0x7F)
     names = ("link", "content-type", "docker-content-digest", "retry-after", "www-authenticate", "location")
     headers = [(name.encode(), line) for name in names]
-    asked = []
+    requests = []
 
     def answer(request: httpx.Request) -> httpx.Response:
-        asked.append(request)
-        code = (200, 401, 307)[len(asked) % 3] if len(asked) < 6 else 200
+        requests.append(request)
+        code = (200, 401, 307)[len(requests) % 3] if len(requests) < 6 else 200
         return reply(code, b'{"schemaVersion": 2, "tags": []}', headers)
 
     text = line.decode("latin-1")
     web.after({"retry-after": text})
     challenge.read([text])
     asks: list[Callable[[Registry], object]] = [
-        lambda there: there.manifest("a", "x"),
-        lambda there: there.tags("a"),
-        lambda there: there.head("a", "x"),
+        lambda registry: registry.manifest("a", "x"),
+        lambda registry: registry.tags("a"),
+        lambda registry: registry.head("a", "x"),
     ]
     for ask in asks:
         with contextlib.suppress(RosmlError):
@@ -578,39 +393,17 @@ def headers_of(document: bytes, folder: Path) -> object:
     return None
 
 
-HEADERS = (
-    b'Bearer realm="https://auth.test/token",service="a",scope="repository:a:pull"',
-    b'</v2/a/tags/list?last=x&n=1000>; rel="next"',
-    b"Fri, 31 Dec 2027 23:59:59 GMT",
-    b"application/vnd.oci.image.index.v1+json; charset=utf-8",
-)
-LISTED = {
-    "schemaVersion": 2,
-    "mediaType": oci.INDEX,
-    "manifests": [
-        {
-            "mediaType": oci.IMAGE,
-            "digest": DIGEST,
-            "size": 1,
-            "platform": {"os": "linux", "architecture": "arm64", "variant": "v8"},
-            "annotations": {"a": "b"},
-            "artifactType": "a/b",
-        }
-    ],
-}
-
-
 def docker_config_of(document: bytes, folder: Path) -> object:
     (folder / "config.json").write_bytes(document)
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv("DOCKER_CONFIG", str(folder))
         patched.setenv("PATH", "")
         patched.delenv(credentials.VARIABLE, raising=False)
-        found = credentials.from_docker("registry.test")
+        login = credentials.from_docker("registry.test")
         if (text := document.decode(errors="replace").replace("\0", "")) and len(text) < 100_000:
             patched.setenv(credentials.VARIABLE, text)
             credentials.from_docker("registry.test")
-    return found
+    return login
 
 
 def helper_of(document: bytes, folder: Path) -> object:
@@ -629,60 +422,30 @@ def source_of(document: bytes) -> Source:
     content = {"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, document), "layers": layers}
     registry = MemoryRegistry()
     registry.put_blob("a", document)
-    manifest = oci.Manifest(content, DIGEST, oci.IMAGE, 1)
+    manifest = oci.Manifest(content, documents.DIGEST, oci.IMAGE, 1)
     config = registry.config("a", manifest, "a")
-    return Source("a", "registry.test", "a", DIGEST, manifest, config)
+    return Source("a", "registry.test", "a", documents.DIGEST, manifest, config)
 
 
-BASED: dict[str, Any] = {
-    "architecture": "amd64",
-    "os": "linux",
-    "config": {
-        "Env": ["PATH=/bin", "A=b"],
-        "Entrypoint": ["/entrypoint.sh"],
-        "Cmd": ["bash"],
-        "User": "1000:1000",
-        "Labels": {
-            "io.rosml.distribution": "alpha",
-            "io.rosml.component": "core",
-            "io.rosml.stack": "cpu",
-            "io.rosml.app": "run",
-            "io.rosml.parts": "cuda-cu1 torch-cu1",
-            "io.rosml.brings": "torch=2.10.0",
-            "io.rosml.restricted": "nccl",
-            "io.rosml.lock": LOCK.line(),
-            "io.rosml.variants": "cpu cu130:580",
-            "org.opencontainers.image.base.name": "registry.test/ros:alpha-core",
-            "org.opencontainers.image.base.digest": DIGEST,
-        },
-    },
-    "history": [
-        {"created_by": "ADD /"},
-        {"created_by": "COPY / / # buildkit", "comment": "buildkit.dockerfile.v0"},
-        {"created_by": "ARG APP_A=b", "empty_layer": True},
-        {"created_by": "ENV A=b", "empty_layer": True},
-    ],
-    "rootfs": {"type": "layers", "diff_ids": [oci.digest_of(b"a"), oci.digest_of(b"b")]},
-}
 BASE_OF_APP = source_of(
-    json.dumps({**BASED, "rootfs": {"diff_ids": [oci.digest_of(b"a"), oci.digest_of(b"c")]}}).encode()
+    json.dumps({**documents.BASED, "rootfs": {"diff_ids": [oci.digest_of(b"a"), oci.digest_of(b"c")]}}).encode()
 )
 
 
 def config_of(document: bytes, folder: Path) -> object:
-    found, wrong = source_of(document), list[RosmlError]()
+    image_source, wrong = source_of(document), list[RosmlError]()
     calls: list[Callable[[], object]] = [
         lambda: docker_image_of(
-            json.dumps([{"Id": DIGEST, "Config": found.config.content.get("config")}]).encode(), folder
+            json.dumps([{"Id": documents.DIGEST, "Config": image_source.config.content.get("config")}]).encode(), folder
         ),
-        lambda: told.require(found.labels, "a"),
-        lambda: restricted.parts_of(found.labels),
-        lambda: compatibility.require_fit(found, BASE_OF_APP),
-        lambda: image.moved(found, BASE_OF_APP, {}),
-        lambda: image.moved(BASE_OF_APP, found, {}),
-        lambda: image.require_unaltered(found, BASE_OF_APP),
-        lambda: image.require_kept(found, BASE_OF_APP),
-        lambda: image.lock_of(found),
+        lambda: label_claims.require(image_source.labels, "a"),
+        lambda: restricted.parts_of(image_source.labels),
+        lambda: compatibility.require_fit(image_source, BASE_OF_APP),
+        lambda: image.moved(image_source, BASE_OF_APP, {}),
+        lambda: image.moved(BASE_OF_APP, image_source, {}),
+        lambda: image.require_unaltered(image_source, BASE_OF_APP),
+        lambda: image.require_kept(image_source, BASE_OF_APP),
+        lambda: image.lock_of(image_source),
     ]
     for call in calls:
         try:
@@ -691,13 +454,13 @@ def config_of(document: bytes, folder: Path) -> object:
             wrong.append(error)
     if odd := [error for error in wrong if not error.remedy]:
         raise odd[0]
-    return found
+    return image_source
 
 
 def judged(document: bytes, folder: Path) -> object:
-    found, other = facts.parse(gzip.compress(document, 1)), facts.Facts.model_validate(FACTS)
+    app_facts, base_facts = facts.parse(gzip.compress(document, 1)), facts.Facts.model_validate(documents.FACTS)
     files = (frozenset({"c", "usr/lib/python3/dist-packages/a-1.dist-info/METADATA"}), frozenset({"usr"}))
-    pairs = ((found, other), (other, found))
+    pairs = ((app_facts, base_facts), (base_facts, app_facts))
     return [compatibility.judge(app, base, BaseContents((), base, *files), {}, {}) for app, base in pairs]
 
 
@@ -721,26 +484,33 @@ PATCH_PLAN, *FRAMES = patch.make(io.BytesIO(OLD_LAYER), io.BytesIO(NEW_LAYER))
 PATCH = b"".join((PATCH_PLAN, *FRAMES))
 
 
-def patches_of(made: bytes) -> bytes:
-    entry = {"mediaType": patch.MEDIA_TYPE, "digest": oci.digest_of(made), "size": len(made), "image": "a"}
-    old = {"digest": oci.digest_of(OLD_LAYER), "diff_id": oci.digest_of(OLD_LAYER), "size": len(OLD_LAYER)}
-    return json.dumps({oci.digest_of(NEW_LAYER): {**entry, "old": old}}).encode()
+def patches_of(patch_bytes: bytes) -> bytes:
+    entry = {
+        "mediaType": patch.MEDIA_TYPE,
+        "digest": oci.digest_of(patch_bytes),
+        "size": len(patch_bytes),
+        "image": "a",
+    }
+    old_layer = {"digest": oci.digest_of(OLD_LAYER), "diff_id": oci.digest_of(OLD_LAYER), "size": len(OLD_LAYER)}
+    return json.dumps({oci.digest_of(NEW_LAYER): {**entry, "old": old_layer}}).encode()
 
 
-def with_patch(made: bytes, document: bytes = b"") -> object:
-    document = document or patches_of(made)
+def with_patch(patch_bytes: bytes, document: bytes = b"") -> object:
+    document = document or patches_of(patch_bytes)
     digest = oci.digest_of(NEW_LAYER)
     config = oci.encoded({"os": "linux", "architecture": "amd64", "rootfs": {"type": "layers", "diff_ids": [digest]}})
     layers = [oci.descriptor("application/vnd.oci.image.layer.v1.tar", NEW_LAYER)]
     manifest = oci.encoded({"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, config), "layers": layers})
-    noted = {archive.LEFT_OUT: json.dumps({"a": [digest]}), archive.PATCHES: document.decode(errors="replace")}
-    content = {"schemaVersion": 2, "manifests": [oci.descriptor(oci.IMAGE, manifest)], "annotations": noted}
-    blobs = [(archive.path(oci.digest_of(data)), data) for data in (manifest, config, made)]
-    told = tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, oci.encoded(content)), *blobs)
-    image = saved_image.read(archive.Archive(io.BytesIO(gzip.decompress(told)), "a"))
-    old = tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, b"{}"), (archive.path(oci.digest_of(OLD_LAYER)), OLD_LAYER))
-    there = InArchive(archive.Archive(io.BytesIO(gzip.decompress(old)), "b"))
-    return complete(image, choose(image, [there]), io.BytesIO())
+    annotations = {archive.LEFT_OUT: json.dumps({"a": [digest]}), archive.PATCHES: document.decode(errors="replace")}
+    content = {"schemaVersion": 2, "manifests": [oci.descriptor(oci.IMAGE, manifest)], "annotations": annotations}
+    blobs = [(archive.path(oci.digest_of(data)), data) for data in (manifest, config, patch_bytes)]
+    app_archive = tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, oci.encoded(content)), *blobs)
+    image = saved_image.read(archive.Archive(io.BytesIO(gzip.decompress(app_archive)), "a"))
+    old_archive = tar_of(
+        (archive.LAYOUT, b"{}"), (archive.INDEX, b"{}"), (archive.path(oci.digest_of(OLD_LAYER)), OLD_LAYER)
+    )
+    old_image = InArchive(archive.Archive(io.BytesIO(gzip.decompress(old_archive)), "b"))
+    return complete(image, choose(image, [old_image]), io.BytesIO())
 
 
 def unpacked(document: bytes, folder: Path) -> object:
@@ -748,66 +518,24 @@ def unpacked(document: bytes, folder: Path) -> object:
     return sorted(folder.rglob("*"))
 
 
-def labels_of(found: str) -> object:
-    return labels.any_python(found, "cuda"), labels.required_driver(found)
+def labels_of(label: str) -> object:
+    return labels.any_python(label, "cuda"), labels.required_driver(label)
 
 
 SOURCE = apt_sources.Source("http://archive.test/debian", "bookworm", ("main",))
-RELEASE = f"""\
-Origin: Debian
-Suite: stable
-Date: Sat, 21 Nov 2026 10:11:12 UTC
-SHA256:
- {"0" * 64} 1234 main/binary-amd64/Packages
- {"1" * 64} 1234 main/binary-all/Packages
-""".encode()
-LINES = b"deb http://archive.test/debian bookworm main\ndeb [arch=amd64] http://archive.test/debian x main # x\n"
-STANZAS = b"Types: deb\nURIs: http://archive.test/debian\nSuites: bookworm\n bookworm-updates\nComponents: main\n\nTypes: deb-src\n"
 
 # ---- Scans -----------------------------------------------------------------------------------------------------------
 
-SBOM = {
-    "bomFormat": "CycloneDX",
-    "specVersion": "1.6",
-    "metadata": {"component": {"name": f"registry.test/ros@{DIGEST}", "type": "container"}},
-    "components": [
-        {"bom-ref": "1", "type": "operating-system", "name": "debian", "version": "12.12"},
-        {"bom-ref": "2", "type": "library", "name": "tree", "version": "2.1", "purl": "pkg:deb/debian/tree@2.1"},
-        {"bom-ref": "3", "type": "library", "name": "torch", "version": "2", "purl": "pkg:pypi/torch@2"},
-    ],
-}
-REPORT = {
-    "SchemaVersion": 2,
-    "Metadata": {"OS": {"Family": "debian", "Name": "12.12", "EOSL": True}},
-    "Results": [
-        {
-            "Type": "debian",
-            "Packages": [{"Name": "tree"}],
-            "Vulnerabilities": [
-                {
-                    "VulnerabilityID": "CVE-2026-1",
-                    "PkgName": "tree",
-                    "InstalledVersion": "2.1",
-                    "FixedVersion": "2.2",
-                    "Severity": "HIGH",
-                    "Title": "bad",
-                    "PrimaryURL": "https://example.org",
-                }
-            ],
-        }
-    ],
-}
-
 
 def sbom_of(document: bytes, folder: Path) -> object:
-    found = Sbom(document)
-    found.require("alpha", ros=True)
-    return found.is_of(DIGEST), found.packages, found.system, found.sources
+    sbom = Sbom(document)
+    sbom.require("alpha", ros=True)
+    return sbom.is_of(documents.DIGEST), sbom.packages, sbom.system, sbom.sources
 
 
 def report_of(document: bytes, folder: Path) -> object:
     return judge.part_report(
-        trivy.read_report(document, "alpha"), judge.Part("alpha", "registry.test", "ros", DIGEST, ros=True)
+        trivy.read_report(document, "alpha"), judge.Part("alpha", "registry.test", "ros", documents.DIGEST, ros=True)
     )
 
 
@@ -815,38 +543,12 @@ def database_of(document: bytes, folder: Path) -> object:
     (folder / "db").mkdir()
     (folder / "db/metadata.json").write_bytes(document)
     (folder / "db/trivy.db").write_bytes(b"x")
-    found = trivy.Trivy("trivy", "1", folder).database()
-    found.require_fresh(policy.DatabaseRules(repositories=("a/b",), max_age_hours=24), NOW)
-    return found
+    database = trivy.Trivy("trivy", "1", folder).database()
+    database.require_fresh(policy.DatabaseRules(repositories=("a/b",), max_age_hours=24), NOW)
+    return database
 
 
 # ---- Run -------------------------------------------------------------------------------------------------------------
-
-INFO = {
-    "ServerVersion": "27",
-    "SecurityOptions": ["name=seccomp"],
-    "Runtimes": {"runc": {}},
-    "CDISpecDirs": ["/etc/cdi"],
-    "Name": "robot",
-}
-IMAGE = {
-    "Id": DIGEST,
-    "Config": {"Env": ["A=b"], "Labels": {"a": "b"}, "Entrypoint": ["/x"], "Cmd": ["bash"], "User": ""},
-}
-CONTAINER = b" ".join(
-    json.dumps(value).encode()
-    for value in (
-        "/one",
-        "running",
-        DIGEST,
-        {**IMAGE["Config"], "Image": "ros:jazzy"},  # type: ignore[dict-item]
-        [{"Destination": "/dev/shm"}],
-        {"NetworkMode": "host", "IpcMode": "host"},
-    )
-)
-DEFAULTS = (
-    b'# comment\nimage = "ros:jazzy"\noptions = ["--mws", "-e", "ROS_DOMAIN_ID=7"]\ncommand = ["ros2", "topic"]\n'
-)
 
 
 def answered(what: str, ask: Callable[[str], object]) -> Callable[[bytes, Path], object]:
@@ -865,8 +567,8 @@ def answered(what: str, ask: Callable[[str], object]) -> Callable[[bytes, Path],
 def defaults_of(document: bytes, folder: Path) -> object:
     (folder / ".rosml.toml").write_bytes(document)
     environment = {"XDG_CONFIG_HOME": str(folder / "none")}
-    found = defaults.files(environment, str(folder), ["--mws"], ["--new"]).project
-    return found and consent.wanted(found.line, trusted=False)
+    project_file = defaults.files(environment, str(folder), ["--mws"], ["--new"]).project
+    return project_file and consent.wanted(project_file.line, trusted=False)
 
 
 def words_of(document: bytes, folder: Path) -> object:
@@ -876,31 +578,13 @@ def words_of(document: bytes, folder: Path) -> object:
     context = Context(
         line, Engine(), Person(1000, 1000, "me", str(folder)), Image(environment={"ROS_DISTRO": "jazzy"}), host
     )
-    argv = ["docker", "run", *(word for given in line.engine for word in given.words), "ros:jazzy"]
-    found = check.findings(context, places.planned(context, argv), [], ())
-    placed = [(taken.without(given, line.engine[:1]), paths.anchored(given, "/x")) for given in line.engine]
+    argv = ["docker", "run", *(word for option in line.engine for word in option.words), "ros:jazzy"]
+    findings = check.findings(context, places.planned(context, argv), [], ())
+    placed = [(taken.without(option, line.engine[:1]), paths.anchored(option, "/x")) for option in line.engine]
     for write in (kubernetes.text, quadlet.text, devcontainer.text):
         with contextlib.suppress(RosmlError):
             write(export.call(context, argv))
-    return found, placed, compose.text(export.call(context, argv))
-
-
-WORDS = b"""\
---env=ROS_DOMAIN_ID=7
---shm-size=512m
---gpus=2
---ulimit=nofile=1024:2048
---stop-timeout=3
---memory=2g
---mount=type=bind,source=/a,target=/b,readonly
---volume=/a:/b:ro
---publish=127.0.0.1:80:80/tcp
---health-interval=1m30s
---device=/dev/a:/dev/b:rw
---user=1000:1000
---security-opt=seccomp=a.json
---label=a=b
-"""
+    return findings, placed, compose.text(export.call(context, argv))
 
 
 def kernel_of(document: bytes, folder: Path) -> object:
@@ -912,7 +596,7 @@ def kernel_of(document: bytes, folder: Path) -> object:
     line = split(["--network=host", "--ipc=host", "--env-file=/variables", "ros:jazzy"], ())
     host = Host(folder, {}, echoes=bool)
     context = Context(line, Engine(), Person(0, 0, "me", "/"), Image(environment={"ROS_DISTRO": "jazzy"}), host)
-    argv = ["docker", "run", *(word for given in line.engine for word in given.words), "ros:jazzy"]
+    argv = ["docker", "run", *(word for option in line.engine for word in option.words), "ros:jazzy"]
     return check.findings(context, places.planned(context, argv), [], ())
 
 
@@ -939,31 +623,20 @@ def saved_by_engine(document: bytes, folder: Path) -> object:
         document = zlib.decompressobj(31).decompress(document, 20 << 20)
     (folder / "answer").write_bytes(document)
     program = stubs.executable(folder / "docker", f"exec cat {folder}/answer")
-    layer = saved_image.Layer(DIGEST, oci.digest_of(b"x"), 1)
+    layer = saved_image.Layer(documents.DIGEST, oci.digest_of(b"x"), 1)
     for item in layers_of_engine.InEngine(program, "1" * 64, frozenset([layer.diff_id])).take([layer]):
         item.send(lambda blocks: print(*map(len, blocks), file=io.StringIO()))
     return None
 
 
-COMPOSE = b"""\
-# mine
-services:
-  talker:
-    image: ros:jazzy  # x
-    command: [ros2, run, a, b]
-volumes:
-  data:
-"""
-
-
-def composed(found: str) -> object:
-    wanted: dict[str, Any] = {"services": {"listener": {"image": "ros:jazzy"}}, "volumes": {"a": {}}}
-    return compose_file.added(found, wanted, "compose.yaml")
+def composed(content: str) -> object:
+    addition: dict[str, Any] = {"services": {"listener": {"image": "ros:jazzy"}}, "volumes": {"a": {}}}
+    return compose_file.added(content, addition, "compose.yaml")
 
 
 def cookies_of(document: bytes, folder: Path) -> object:
-    found = xauthority.read(document)
-    return xauthority.written(found), xauthority.cookie(found, "0", "a", "a")
+    cookies = xauthority.read(document)
+    return xauthority.written(cookies), xauthority.cookie(cookies, "0", "a", "a")
 
 
 COOKIES = xauthority.written([xauthority.Entry(xauthority.LOCAL, b"a", b"0", b"MIT-MAGIC-COOKIE-1", b"x" * 16)])
@@ -987,9 +660,9 @@ def wheel_of(document: bytes, folder: Path) -> object:
         first, last = map(int, request.headers["range"].removeprefix("bytes=").split("-"))
         return reply(206, document[first : last + 1])
 
-    there = index.Index(resolve.Uv(), httpx.Client(transport=httpx.MockTransport(answer)))
+    wheel_index = index.Index(resolve.Uv(), httpx.Client(transport=httpx.MockTransport(answer)))
     wheel = index.Wheel(WHEEL.url, len(document))
-    return there.metadata(wheel), there.record(wheel)
+    return wheel_index.metadata(wheel), wheel_index.record(wheel)
 
 
 def pylock_of(document: bytes, folder: Path) -> object:
@@ -1002,32 +675,12 @@ def pylock_of(document: bytes, folder: Path) -> object:
     return index.Index(run, nothing).wheels(index.WheelTarget("3.12", "x86_64-manylinux_2_28"), {"a": "1"})
 
 
-PYLOCK = b"""\
-lock-version = "1.0"
-[[packages]]
-name = "a"
-version = "1.0+cu1"
-wheels = [{ name = "a-1-py3-none-any.whl", url = "https://index.test/a-1.whl", size = 10, upload-time = 2026-11-22T00:00:00Z }]
-"""
-PINS = b"""\
-# head
-torch==2.10.0 \\
-    --hash=sha256:0000000000000000000000000000000000000000000000000000000000000000
-    # via
-    #   tensorflow
-nvidia-nccl-cu12==2.1 ; sys_platform == 'linux'
-"""
-
-
 def github_of(document: bytes, folder: Path) -> object:
     one = b'{"number": 1}'
     answer = httpx.MockTransport(lambda request: reply(200, document if request.method == "GET" else one))
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(web, "client", lambda **options: httpx.Client(transport=answer, base_url=options["base_url"]))
         return issue.Issues("https://api.github.test", "me/robot", "x").keep("x", 1)
-
-
-ISSUES = [{"number": 1, "title": issue.TITLE, "html_url": "https://github.test/1"}]
 
 
 def progress_of(document: bytes, folder: Path) -> object:
@@ -1038,88 +691,33 @@ def progress_of(document: bytes, folder: Path) -> object:
     return buildx.failure(bake, followed, folder / "log", 1), [step.label for step in followed.steps.values()]
 
 
-STEPS = b"\n".join(
-    (
-        b'{"vertexes": [{"digest": "a", "name": "[b 1/2] RUN --mount=type=cache x", "started": "2026-11-22T03:00:00.1234Z"}]}',
-        b'{"logs": [{"vertex": "a", "stream": 1, "data": "aGVsbG8K", "timestamp": "2026-11-22T03:00:00Z"}]}',
-        b'{"vertexes": [{"digest": "a", "name": "x", "completed": "2026-11-22T03:00:09Z", "error": "failed to push a: 403"}]}',
-        b"WARNING: x",
-    )
-)
-
-
 def base_of_command(document: bytes, folder: Path) -> object:
     (folder / "answer").write_bytes(document)
-    found = stubs.services(folder, bases=[stubs.executable(folder / "bases", f"exec cat {folder}/answer")])
+    machine = stubs.services(folder, bases=[stubs.executable(folder / "bases", f"exec cat {folder}/answer")])
     systems = SMALL_SET.matrix.operating_systems
-    return base_images.reference(found, systems, "ubuntu-24.04"), base_images.missing(found, systems, "ubuntu-24.04")
+    return base_images.reference(machine, systems, "ubuntu-24.04"), base_images.missing(
+        machine, systems, "ubuntu-24.04"
+    )
 
 
-def adopted_of(found: str) -> object:
-    return system.system(found), adopted.ends_in_the_command(found)
-
-
-SYSTEM = b"""\
-#!/bin/bash
-ID=debian
-VERSION_ID="12"
-deb http://archive.test/debian bookworm main
-exec "$@"
-"""
-
-
-RESULTS = {
-    "version": 1,
-    "date": "2026-11-22T03:00:00Z",
-    "entries": [
-        {
-            "target": "alpha-base",
-            "architecture": "amd64",
-            "digest": DIGEST,
-            "scanned": "clean",
-            "scan": {"findings": {"high": 1}, "packages": 2},
-        }
-    ],
-}
-TESTS = {"Results": [{"Name": "Command Test: a", "Pass": True, "Duration": 5e9, "Errors": ["x"], "Stdout": "y"}]}
-SERVICES = {
-    "registry": "127.0.0.1:5000",
-    "buildx": ["docker", "buildx"],
-    "builder": "rosml",
-    "builder_kind": "ours",
-    "buildx_config": None,
-    "uv": "uv",
-    "ca_bundle": "",
-    "bases": [],
-}
-PLAN = {
-    "version": 1,
-    "date": "2026-11-22T03:00:00Z",
-    "registry": "registry.test/rosml",
-    "architectures": ["amd64"],
-    "serve": [],
-    "force": False,
-    "package_state": {"jazzy": "x"},
-    "targets": ["alpha"],
-    "shards": [],
-    "tasks": [],
-    "unchanged": 0,
-    "remarks": [],
-}
+def adopted_of(file_text: str) -> object:
+    return system.system(file_text), adopted.ends_in_the_command(file_text)
 
 
 def sources_of(document: bytes, folder: Path) -> object:
     for name in ("package.xml", "a.py", "a.cpp", "setup.py", "CMakeLists.txt", "requirements.txt"):
-        (folder / name).write_bytes(MANIFEST if name == "package.xml" else document)
+        (folder / name).write_bytes(documents.MANIFEST if name == "package.xml" else document)
     return packages.find(folder, {"x": ("torch",)})
 
 
 PARSERS: dict[str, Parser] = {
-    ".env": Parser("text", [ENV], written(".env", env_file.read)),
+    ".env": Parser("text", [documents.ENV], written(".env", env_file.read)),
     ".repos": Parser(
-        "yaml", [REPOS], written("a.repos", lambda file: repos_file.read([file], file.parent, "", local=False))
+        "yaml",
+        [documents.REPOS],
+        written("a.repos", lambda file: repos_file.read([file], file.parent, "", local=False)),
     ),
-    ".rosml.toml": Parser("text", [DEFAULTS], defaults_of),
+    ".rosml.toml": Parser("text", [documents.DEFAULTS], defaults_of),
     "allowed.json": Parser(
         "json",
         as_json({"/a/.rosml.toml": hashlib.sha256(b"x").hexdigest()}),
@@ -1132,43 +730,61 @@ PARSERS: dict[str, Parser] = {
         as_json([{"directory": "/b", "file": "/a.cpp", "command": "c++ -c /a.cpp"}]),
         written("build/compile_commands.json", commands_of_compilers),
     ),
-    "apt's list of sources": Parser("text", [LINES], text(lambda found: apt_sources.parse({"a.list": found}, "base"))),
+    "apt's list of sources": Parser(
+        "text", [documents.LINES], text(lambda content: apt_sources.parse({"a.list": content}, "base"))
+    ),
     "apt's paragraphs of sources": Parser(
-        "text", [STANZAS], text(lambda found: apt_sources.parse({"a.sources": found}, "base"))
+        "text", [documents.STANZAS], text(lambda content: apt_sources.parse({"a.sources": content}, "base"))
     ),
-    "apt's sources in a layer": Parser("tar", [tar_of(("etc/apt/sources.list", LINES))], layer_of),
-    "date of a Release file": Parser("text", [RELEASE], text(lambda found: sync.date_of(found, "http://ros.test"))),
+    "apt's sources in a layer": Parser("tar", [tar_of(("etc/apt/sources.list", documents.LINES))], layer_of),
+    "date of a Release file": Parser(
+        "text", [documents.RELEASE], text(lambda content: sync.date_of(content, "http://ros.test"))
+    ),
     "Release file": Parser(
-        "text", [RELEASE], text(lambda found: package_state.described(SOURCE, found, "http://archive.test"))
+        "text",
+        [documents.RELEASE],
+        text(lambda content: package_state.described(SOURCE, content, "http://archive.test")),
     ),
-    "dpkg's status": Parser("text", [STATUS], dpkg_of),
-    "package.xml": Parser("xml", [MANIFEST], written("a/package.xml", lambda file: [*workspace.names(file.parent)])),
+    "dpkg's status": Parser("text", [documents.STATUS], dpkg_of),
+    "package.xml": Parser(
+        "xml", [documents.MANIFEST], written("a/package.xml", lambda file: [*workspace.names(file.parent)])
+    ),
     "package.xml for init": Parser(
-        "xml", [MANIFEST], written("a/package.xml", lambda file: packages.find(file.parent, {"x": ("torch",)}))
+        "xml",
+        [documents.MANIFEST],
+        written("a/package.xml", lambda file: packages.find(file.parent, {"x": ("torch",)})),
     ),
     "sources for init": Parser("text", [b"import a, torch\nfrom b import c\n"], sources_of),
     "condition in a manifest": Parser(
-        "text", [b"($ROS_VERSION == 1 or $ROS_DISTRO > 'foxy') and a != b"], text(lambda found: holds(found, {}))
+        "text", [b"($ROS_VERSION == 1 or $ROS_DISTRO > 'foxy') and a != b"], text(lambda content: holds(content, {}))
     ),
-    "JUnit file": Parser("xml", [SUITE.encode()], written("results/a/b.xml", lambda file: junit.read(file.parents[1]))),
+    "JUnit file": Parser(
+        "xml", [documents.SUITE.encode()], written("results/a/b.xml", lambda file: junit.read(file.parents[1]))
+    ),
     "CTest's file": Parser(
-        "xml", [CTEST.encode()], written("results/a/b.xml", lambda file: junit.read(file.parents[1]))
+        "xml", [documents.CTEST.encode()], written("results/a/b.xml", lambda file: junit.read(file.parents[1]))
     ),
-    "what steps of a build say": Parser("json", as_json(APP), said_of),
-    "archive of a build": Parser("tar", [tar_of(("results/a/b.xml", SUITE.encode()))], left_of),
-    "images of a job": Parser("json", as_json([JOB]), job_of),
+    "what steps of a build say": Parser("json", as_json(documents.APP), said_of),
+    "archive of a build": Parser("tar", [tar_of(("results/a/b.xml", documents.SUITE.encode()))], left_of),
+    "images of a job": Parser("json", as_json([documents.JOB]), job_of),
     "packages of an image": Parser(
-        "json", as_json(PACKAGES), lambda document, folder: contents.sbom(document, "a", {})
+        "json", as_json(documents.PACKAGES), lambda document, folder: contents.sbom(document, "a", {})
     ),
-    "package.xml in an image": Parser("xml", [MANIFEST], contents_of("docker-ros/ws/install/share/a/package.xml")),
+    "package.xml in an image": Parser(
+        "xml", [documents.MANIFEST], contents_of("docker-ros/ws/install/share/a/package.xml")
+    ),
     "METADATA in an image": Parser(
         "text", [b"Name: a\nVersion: 1\n\nx"], contents_of("usr/lib/python3/a-1.dist-info/METADATA")
     ),
-    "packages of apt in an image": Parser("text", [STATUS], contents_of("var/lib/dpkg/status.d/a")),
+    "packages of apt in an image": Parser("text", [documents.STATUS], contents_of("var/lib/dpkg/status.d/a")),
     "os-release in an image": Parser("text", [b'ID=debian\nVERSION_ID="12"\n'], contents_of("usr/lib/os-release")),
-    "relations of a package": Parser("text", [STATUS], text(lambda found: script("facts").package(found))),
+    "relations of a package": Parser(
+        "text", [documents.STATUS], text(lambda content: script("facts").package(content))
+    ),
     "program in an image": Parser("text", [Path("/bin/true").read_bytes()], elf_of),
-    "facts of an image": Parser("json", as_json(FACTS), lambda document, folder: facts.parse(gzip.compress(document))),
+    "facts of an image": Parser(
+        "json", as_json(documents.FACTS), lambda document, folder: facts.parse(gzip.compress(document))
+    ),
     "apps that move": Parser(
         "yaml",
         [
@@ -1179,18 +795,20 @@ PARSERS: dict[str, Parser] = {
     "lines of a trial": Parser(
         "json", [b'"lib/a: undefined symbol: b"\n"import c: d"\n'], lambda document, _: trial.lines(document)
     ),
-    "report of pip": Parser("json", as_json(PIP), requirements_of),
+    "report of pip": Parser("json", as_json(documents.PIP), requirements_of),
     "options in a list of pip": Parser(
         "text", [b"--index-url 'https://index.test/x'  # x\n-r b.txt\ntree==1.0\n"], written("a.txt", options_of)
     ),
-    "lock file": Parser("json", [LOCK.text().encode()], written("a.lock", lambda file: lock.read(file, file.parent))),
+    "lock file": Parser(
+        "json", [documents.LOCK.text().encode()], written("a.lock", lambda file: lock.read(file, file.parent))
+    ),
     "folder of upstream sources": Parser(
         "json", as_json({"a": ["https://example.org/a", "c" * 40]}), written(".up.json", lambda file: upstream(file))
     ),
-    "rosdep's index": Parser("yaml", [INDEX], rosdep_index_of),
-    "rosdep's list": Parser("yaml", [KEYS], rosdep_list_of),
+    "rosdep's index": Parser("yaml", [documents.INDEX], rosdep_index_of),
+    "rosdep's list": Parser("yaml", [documents.KEYS], rosdep_list_of),
     "rosdep's lists of a registry": Parser(
-        "tar", [tar_of(("rosdep/base.yaml", KEYS), ("index-v4.yaml", INDEX))], unpacked
+        "tar", [tar_of(("rosdep/base.yaml", documents.KEYS), ("index-v4.yaml", documents.INDEX))], unpacked
     ),
     "archive of an image": Parser("tar", [archived()], image_of),
     "patch of a layer": Parser("text", [PATCH], lambda document, folder: with_patch(document)),
@@ -1204,49 +822,53 @@ PARSERS: dict[str, Parser] = {
     ),
     "index in an archive": Parser(
         "json",
-        [archive.index(SAVED_MANIFEST, "registry.test/b:1", {"a": [oci.digest_of(b"")]})],
+        [archive.index(documents.SAVED_MANIFEST, "registry.test/b:1", {"a": [oci.digest_of(b"")]})],
         lambda document, folder: image_of(archived(document), folder),
     ),
     "manifest in an archive": Parser(
-        "json", [SAVED_CONTENT], lambda document, folder: image_of(archived(manifest=document), folder)
+        "json", [documents.SAVED_CONTENT], lambda document, folder: image_of(archived(manifest=document), folder)
     ),
     "config in an archive": Parser(
-        "json", [SAVED], lambda document, folder: image_of(archived(config=document), folder)
+        "json", [documents.SAVED], lambda document, folder: image_of(archived(config=document), folder)
     ),
-    "record": Parser("json", as_json(ENTRY), entry_of),
+    "record": Parser("json", as_json(documents.ENTRY), entry_of),
     "record of rosml dev": Parser(
         "json", as_json({"key": "a", "image": "b:latest", "id": "1", "upstream": ""}), written("a.json", desk.read)
     ),
     "scan of a record": Parser(
         "json",
-        as_json(ENTRY["scan"]),
+        as_json(documents.ENTRY["scan"]),
         scan_of,
     ),
-    "inputs of a record": Parser("json", as_json({"inputs": {"a": "b"}, **ENTRY}), inputs_of),
+    "inputs of a record": Parser("json", as_json({"inputs": {"a": "b"}, **documents.ENTRY}), inputs_of),
     "moves of tags": Parser(
-        "json", as_json({"date": "x", "moves": [{"repository": "ros", "tag": "a", "old": "", "new": DIGEST}]}), moves_of
+        "json",
+        as_json({"date": "x", "moves": [{"repository": "ros", "tag": "a", "old": "", "new": documents.DIGEST}]}),
+        moves_of,
     ),
-    "SBOM": Parser("json", as_json(SBOM), sbom_of),
-    "report of trivy": Parser("json", as_json(REPORT), report_of),
+    "documents.SBOM": Parser("json", as_json(documents.SBOM), sbom_of),
+    "report of trivy": Parser("json", as_json(documents.REPORT), report_of),
     "database of trivy": Parser(
         "json", as_json({"Version": 2, "UpdatedAt": "2026-11-22T00:00:00.123Z", "NextUpdate": "x"}), database_of
     ),
     "info of an engine": Parser(
         "json",
-        as_json(INFO, {"host": {"security": {"rootless": True}, "hostname": "a"}}),
+        as_json(documents.INFO, {"host": {"security": {"rootless": True}, "hostname": "a"}}),
         answered("info", lambda command: engine.ask(command, "a", "b")),
     ),
     "image of an engine": Parser(
-        "json", as_json(IMAGE, [IMAGE]), answered("image", lambda command: engine.image(command, "a"))
+        "json",
+        as_json(documents.IMAGE, [documents.IMAGE]),
+        answered("image", lambda command: engine.image(command, "a")),
     ),
     "container of an engine": Parser(
-        "text", [CONTAINER], answered("container", lambda command: engine.container(command, "a"))
+        "text", [documents.CONTAINER], answered("container", lambda command: engine.container(command, "a"))
     ),
-    "words of run": Parser("text", [WORDS], words_of),
+    "words of run": Parser("text", [documents.WORDS], words_of),
     "files of run": Parser("text", [b"2147483647\n", b"0x1003\n", b"ROS_DOMAIN_ID=7\nA=b\n"], kernel_of),
     "results of structure tests": Parser(
         "json",
-        as_json(TESTS),
+        as_json(documents.TESTS),
         written("contract.json", lambda file: structure_tests.read_report(file.parent, ("contract",))),
     ),
     "versions in an image": Parser(
@@ -1255,10 +877,12 @@ PARSERS: dict[str, Parser] = {
         written("versions", lambda file: structure_tests.read_report(file.parent, ("contract",))),
     ),
     "services.json": Parser(
-        "json", as_json(SERVICES), written(".state/services.json", lambda file: Services.load(file.parent.parent))
+        "json",
+        as_json(documents.SERVICES),
+        written(".state/services.json", lambda file: Services.load(file.parent.parent)),
     ),
-    "results of a scan": Parser("json", as_json(RESULTS), written("results.json", results_of)),
-    "plan": Parser("json", as_json(PLAN), written("plan.json", plan.read_plan)),
+    "results of a scan": Parser("json", as_json(documents.RESULTS), written("results.json", results_of)),
+    "plan": Parser("json", as_json(documents.PLAN), written("plan.json", plan.read_plan)),
     "matrix": Parser("yaml", [SMALL.encode()], lambda document, folder: load.image_set(source.parse(document))),
     "scan policy": Parser(
         "yaml", [(ROOT / "scan.yaml").read_bytes()], lambda document, folder: policy.parsed(source.parse(document))
@@ -1269,10 +893,10 @@ PARSERS: dict[str, Parser] = {
         written(".dockerignore", lambda file: IgnoredFiles(file.parent)(file.parent / "a/b/c.log")),
     ),
     ".gitmodules": Parser(
-        "text", [MODULES], written(".gitmodules", lambda file: workspace.empty_submodules(file.parent))
+        "text", [documents.MODULES], written(".gitmodules", lambda file: workspace.empty_submodules(file.parent))
     ),
-    "submodules of a repository": Parser("text", [SETTINGS], submodules_of),
-    "refs of a repository": Parser("text", [REFS], text(refs_of)),
+    "submodules of a repository": Parser("text", [documents.SETTINGS], submodules_of),
+    "refs of a repository": Parser("text", [documents.REFS], text(refs_of)),
     "repository for init": Parser(
         "text",
         [b"ref: refs/heads/jazzy-1\n", b'[remote "origin"]\n\turl = git@github.com:me/robot.git\n'],
@@ -1280,59 +904,81 @@ PARSERS: dict[str, Parser] = {
     ),
     "lists of packages": Parser("text", [b"tree\nlibc6:i386=1.0 # x\n"], lists_of),
     "CMakeLists.txt": Parser("text", [b'cmake_minimum_required(VERSION 3.8)\nproject( "robot" CXX)\n'], projects_of),
-    "launch file": Parser("xml", [LAUNCH], installed("share/a/launch/b.launch")),
-    "launch file in Python": Parser("text", [LAUNCH_IN_PYTHON], installed("share/a/launch/b.launch.py")),
-    "script of an app": Parser("text", [LAUNCH_IN_PYTHON], installed("lib/a/b")),
+    "launch file": Parser("xml", [documents.LAUNCH], installed("share/a/launch/b.launch")),
+    "launch file in Python": Parser("text", [documents.LAUNCH_IN_PYTHON], installed("share/a/launch/b.launch.py")),
+    "script of an app": Parser("text", [documents.LAUNCH_IN_PYTHON], installed("lib/a/b")),
     "entry points of an app": Parser(
-        "text", [ENTRY_POINTS], installed("lib/python3.12/site-packages/a-1.dist-info/entry_points.txt")
+        "text", [documents.ENTRY_POINTS], installed("lib/python3.12/site-packages/a-1.dist-info/entry_points.txt")
     ),
-    "manifest of a registry": Parser("json", [SAVED_CONTENT], sent(lambda there: there.manifest("a", "x"))),
-    "index of a registry": Parser("json", as_json(LISTED), sent(lambda there: there.manifest("a", "x"))),
+    "manifest of a registry": Parser(
+        "json", [documents.SAVED_CONTENT], sent(lambda registry: registry.manifest("a", "x"))
+    ),
+    "index of a registry": Parser(
+        "json", as_json(documents.LISTED), sent(lambda registry: registry.manifest("a", "x"))
+    ),
     "tags of a registry": Parser(
-        "json", as_json({"name": "a", "tags": ["b", "c"]}), sent(lambda there: there.tags("a"))
+        "json", as_json({"name": "a", "tags": ["b", "c"]}), sent(lambda registry: registry.tags("a"))
     ),
-    "artifacts of a registry": Parser("json", as_json(LISTED), sent(lambda there: there.referrers("a", DIGEST))),
+    "artifacts of a registry": Parser(
+        "json", as_json(documents.LISTED), sent(lambda registry: registry.referrers("a", documents.DIGEST))
+    ),
     "error of a registry": Parser(
         "json", as_json({"errors": [{"code": "DENIED", "message": "no", "detail": {"a": 1}}]}), error_of
     ),
     "token of a registry": Parser("json", as_json({"token": "a", "access_token": "b", "expires_in": 300}), token_of),
-    "headers of a registry": Parser("text", HEADERS, headers_of),
+    "headers of a registry": Parser("text", documents.HEADERS, headers_of),
     "docker's config.json": Parser(
         "json",
         as_json({"auths": {"registry.test": {"auth": "YTpi", "identitytoken": ""}}, "credHelpers": {"a": "b"}}),
         docker_config_of,
     ),
     "answer of a credential helper": Parser("json", as_json({"Username": "a", "Secret": "b"}), helper_of),
-    "config of an image": Parser("json", as_json(BASED), config_of),
-    "facts of an app that moves": Parser("json", as_json(FACTS), judged),
+    "config of an image": Parser("json", as_json(documents.BASED), config_of),
+    "facts of an app that moves": Parser("json", as_json(documents.FACTS), judged),
     "files of an image": Parser("tar", [gzip.compress(b"usr/bin/a\n" * 50, mtime=0)], lists_of_files),
-    "packages of a repository": Parser("tar", [gzip.compress(STATUS, mtime=0)], packages_of_archive),
+    "packages of a repository": Parser("tar", [gzip.compress(documents.STATUS, mtime=0)], packages_of_archive),
     "image in docker": Parser(
-        "json", as_json([{"Id": DIGEST, "RepoDigests": [f"a@{DIGEST}"], "Config": IMAGE["Config"]}]), docker_image_of
+        "json",
+        as_json(
+            [{"Id": documents.DIGEST, "RepoDigests": [f"a@{documents.DIGEST}"], "Config": documents.IMAGE["Config"]}]
+        ),
+        docker_image_of,
     ),
     "images of an engine": Parser(
         "json",
-        as_json([{"Id": DIGEST, "RepoDigests": [f"a@{DIGEST}"], "RootFs": {"Layers": [DIGEST]}}]),
+        as_json(
+            [
+                {
+                    "Id": documents.DIGEST,
+                    "RepoDigests": [f"a@{documents.DIGEST}"],
+                    "RootFs": {"Layers": [documents.DIGEST]},
+                }
+            ]
+        ),
         images_of_engine,
     ),
     "archive of an engine": Parser("tar", [tar_of((f"blobs/sha256/{oci.digest_of(b'x')[7:]}", b"x"))], saved_by_engine),
-    "compose file": Parser("yaml", [COMPOSE], text(composed)),
+    "compose file": Parser("yaml", [documents.COMPOSE], text(composed)),
     "cookies of a display": Parser("text", [COOKIES], cookies_of),
-    "progress of buildx": Parser("text", [STEPS], progress_of),
-    "base image of a command": Parser("json", as_json({"reference": f"a@{DIGEST}", "missing": ""}), base_of_command),
-    "files of a base image": Parser("text", [SYSTEM], text(adopted_of)),
-    "issues of GitHub": Parser("json", as_json(ISSUES), github_of),
+    "progress of buildx": Parser("text", [documents.STEPS], progress_of),
+    "base image of a command": Parser(
+        "json", as_json({"reference": f"a@{documents.DIGEST}", "missing": ""}), base_of_command
+    ),
+    "files of a base image": Parser("text", [documents.SYSTEM], text(adopted_of)),
+    "issues of GitHub": Parser("json", as_json(documents.ISSUES), github_of),
     "wheel of an index": Parser("text", [zip_of(METADATA=b"Name: a\n", RECORD=b"a.py,sha256=x,1\n")], wheel_of),
     "RECORD of a wheel": Parser(
         "text",
         [b'a.py,sha256=x,1\n"b,c.py",,\n'],
         lambda document, _: wheel_of(zip_of(METADATA=b"", RECORD=document), _),
     ),
-    "wheels that uv found": Parser("text", [PYLOCK], pylock_of),
-    "pins of a lock": Parser("text", [PINS], text(lambda found: (resolve.parse(found), lock_file.versions(found)))),
+    "wheels that uv found": Parser("text", [documents.PYLOCK], pylock_of),
+    "pins of a lock": Parser(
+        "text", [documents.PINS], text(lambda content: (resolve.parse(content), lock_file.versions(content)))
+    ),
     "label of a part": Parser("text", [b"torch=cuda*,common tensorflow=cuda*"], text(labels_of)),
-    "JSON": Parser("json", as_json(PLAN), lambda document, folder: untrusted.json_of(document, "a")),
-    "YAML": Parser("yaml", [KEYS], lambda document, folder: untrusted.yaml_of(document, "a")),
+    "JSON": Parser("json", as_json(documents.PLAN), lambda document, folder: untrusted.json_of(document, "a")),
+    "YAML": Parser("yaml", [documents.KEYS], lambda document, folder: untrusted.yaml_of(document, "a")),
 }
 
 

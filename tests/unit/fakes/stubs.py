@@ -34,12 +34,12 @@ def on_a_terminal(code: str, *arguments: str, env: Mapping[str, str]) -> tuple[i
     main, other = pty.openpty()
     with subprocess.Popen([sys.executable, "-c", code, *arguments], env=env, stdout=other, stderr=other) as process:
         os.close(other)
-        told = b""
+        output = b""
         with contextlib.suppress(OSError):  # how a terminal says that nobody writes any more
             while part := os.read(main, 1000):
-                told += part
+                output += part
     os.close(main)
-    return process.returncode, told
+    return process.returncode, output
 
 
 BUILDX = """\

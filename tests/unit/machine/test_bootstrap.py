@@ -111,8 +111,8 @@ def test_packages_of_somebody_who_may_not_write_to_the_checkout(ready: Bootstrap
     done = ready("python", ROSML_PLACE=str(place))
     assert (done.returncode, done.stderr) == (0, "")
     assert f"Python packages: installing into {place}/.venv\n" in done.stdout
-    made, installed = (ready.root / "calls").read_text().splitlines()
-    assert made.endswith(f" {place}/.venv") and f" --python {place}/.venv/bin/python " in installed
+    venv_call, sync_call = (ready.root / "calls").read_text().splitlines()
+    assert venv_call.endswith(f" {place}/.venv") and f" --python {place}/.venv/bin/python " in sync_call
     assert (place / ".venv/group").read_text() == "app" and not (ready.root / ".state").exists()
     (tmp_path / "file").touch()
     failed = ready("python", ROSML_PLACE=str(tmp_path / "file/cache"))
@@ -210,8 +210,8 @@ def test_interrupted(ready: Bootstrap, number: signal.Signals) -> None:
         while not (ready.root / "pid").exists() or not (ready.root / "pid").read_text():
             time.sleep(0.01)
         process.send_signal(number)
-        _, said = process.communicate(timeout=20)
-    assert (process.returncode, said) == (130, "interrupted; call it again to carry on\n")
+        _, output = process.communicate(timeout=20)
+    assert (process.returncode, output) == (130, "interrupted; call it again to carry on\n")
     waited_for = Path(f"/proc/{(ready.root / 'pid').read_text().strip()}")
     end = time.monotonic() + 20
     while waited_for.exists() and time.monotonic() < end:

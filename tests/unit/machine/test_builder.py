@@ -98,12 +98,18 @@ def test_mirrors_reach_the_build_and_a_shells_own_variables_do_not(
     tmp_path: Path, bake: Bake, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     mirrors = {"ROS_APT_MIRROR": "http://mirror:1", "OS_APT_MIRROR": "http://mirror:2"}
-    own = {"OS_BOOKWORM": "debian:old", "OS_TYPE": "linux", "PLATFORM": "x", "SOURCE_DATE_EPOCH": "1", "REVISION": "y"}
-    for name, text in (mirrors | own).items():
+    shell_variables = {
+        "OS_BOOKWORM": "debian:old",
+        "OS_TYPE": "linux",
+        "PLATFORM": "x",
+        "SOURCE_DATE_EPOCH": "1",
+        "REVISION": "y",
+    }
+    for name, text in (mirrors | shell_variables).items():
         monkeypatch.setenv(name, text)
     env = builder.environment(services(tmp_path), bake)
     assert {name: env[name] for name in mirrors} == mirrors
-    assert own.keys() & env.keys() == set()
+    assert shell_variables.keys() & env.keys() == set()
 
 
 @pytest.mark.parametrize(
@@ -180,10 +186,10 @@ def test_builds_that_share_steps_take_turns(
     for thread in threads:
         thread.join()
     assert (tmp_path / "order").read_text().split() == ["begin", "end"] * 2
-    said = capfd.readouterr().err
-    (line,) = [line for line in said.splitlines() if "waiting for another build in builder 'rosml'" in line]
+    output = capfd.readouterr().err
+    (line,) = [line for line in output.splitlines() if "waiting for another build in builder 'rosml'" in line]
     assert re.search(rf"\(process {os.getpid()}, which began \d+ s ago: rosml", line), line
-    assert said.count("this one begins") == 1, "the end of the wait is seen as well"
+    assert output.count("this one begins") == 1, "the end of the wait is seen as well"
     assert 0.1 < builder.waited() - before < 30, "a summary says how long it was"
 
 
@@ -361,10 +367,12 @@ def test_what_a_base_image_has_every_build_on_it_run(tmp_path: Path, bake: Bake)
 
 def test_a_script_of_ours_that_knows_the_reason_has_the_last_word(tmp_path: Path, bake: Bake) -> None:
     """Before that, a script of a repository may have printed whatever it likes."""
-    said = "error: the script before the installation of dependencies ended with 1; the lines above say why"
-    assert builder.failure(bake, printed("Hash mismatch", said), tmp_path / "x.log", 1).remedy == ""
-    said = "error: packages did not arrive, after 5 tries (Failed to fetch http://x  403  Forbidden); check the network"
-    assert "its address" in builder.failure(bake, printed("Hash mismatch", said), tmp_path / "x.log", 1).remedy
+    last_line = "error: the script before the installation of dependencies ended with 1; the lines above say why"
+    assert builder.failure(bake, printed("Hash mismatch", last_line), tmp_path / "x.log", 1).remedy == ""
+    last_line = (
+        "error: packages did not arrive, after 5 tries (Failed to fetch http://x  403  Forbidden); check the network"
+    )
+    assert "its address" in builder.failure(bake, printed("Hash mismatch", last_line), tmp_path / "x.log", 1).remedy
 
 
 def test_the_step_that_failed_says_why(tmp_path: Path, bake: Bake) -> None:
@@ -456,16 +464,16 @@ def test_a_result_that_is_there_is_not_built_again(tries: Callable[[str, int], l
 def test_a_push_that_is_denied_is_sent_again_if_the_client_may_push(
     tries: Callable[[str, int], list[str]], monkeypatch: pytest.MonkeyPatch, may: bool, attempts: int
 ) -> None:
-    asked = []
+    requests = []
 
     def may_push(client: Registry, repository: str) -> None:
-        asked.append((client.host, repository))
+        requests.append((client.host, repository))
         if not may:
             raise RosmlError("access denied")
 
     monkeypatch.setattr(Registry, "may_push", may_push)
     assert len(tries(PUSH.format("{}", "403 Forbidden"), 100)) == attempts
-    assert len(asked) == attempts and {repository for _, repository in asked} == {"a"}
+    assert len(requests) == attempts and {repository for _, repository in requests} == {"a"}
 
 
 # ---- Ctrl-C ----------------------------------------------------------------------------------------------------------

@@ -36,18 +36,18 @@ def with_driver(root: Path, version: str) -> None:
     (root / "proc/driver/nvidia/version").write_text(DRIVER.format(version))
 
 
-def asked(code: int = 0) -> dict[str, dict[str, Any]]:
+def findings(code: int = 0) -> dict[str, dict[str, Any]]:
     done = CliRunner().invoke(doctor.main, ["--json"])
     assert done.exit_code == code, done.output
     return {finding["name"]: finding for finding in json.loads(done.output)}
 
 
 def test_a_machine_without_a_gpu_lacks_nothing_that_fails(machine: Path) -> None:
-    found = asked()
-    assert found["engine"]["found"] == "docker answers"
-    assert "-cpu" in found["GPU"]["remedy"] and "GPU in containers" not in found
-    assert found["services"]["remedy"].startswith("./rosml setup")
-    assert "GB free; building jazzy-base-torch-cu130 takes " in found["disk"]["found"]
+    by_name = findings()
+    assert by_name["engine"]["found"] == "docker answers"
+    assert "-cpu" in by_name["GPU"]["remedy"] and "GPU in containers" not in by_name
+    assert by_name["services"]["remedy"].startswith("./rosml setup")
+    assert "GB free; building jazzy-base-torch-cu130 takes " in by_name["disk"]["found"]
 
 
 @pytest.mark.parametrize(
@@ -55,21 +55,21 @@ def test_a_machine_without_a_gpu_lacks_nothing_that_fails(machine: Path) -> None
 )
 def test_which_images_a_driver_runs(machine: Path, driver: str, fit: set[str], unfit: set[str]) -> None:
     with_driver(machine, driver)
-    text = asked(1)["GPU"]["found"]
+    text = findings(1)["GPU"]["found"]
     assert all(name in text for name in fit) and not any(name in text for name in unfit)
 
 
 def test_a_driver_that_is_too_old(machine: Path) -> None:
     with_driver(machine, "470.1")
-    assert "525" in asked(1)["GPU"]["remedy"]
+    assert "525" in findings(1)["GPU"]["remedy"]
 
 
 def test_a_gpu_that_the_engine_cannot_hand_in_is_wrong(machine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with_driver(machine, "580.1")
-    found = asked(1)["GPU in containers"]
-    assert found["state"] == "wrong" and "Container Toolkit" in found["remedy"]
+    finding = findings(1)["GPU in containers"]
+    assert finding["state"] == "wrong" and "Container Toolkit" in finding["remedy"]
     monkeypatch.setattr(engine, "answering", lambda name: Engine(name, nvidia=True))
-    assert asked()["GPU in containers"]["found"] == "docker hands it in: --gpus all"
+    assert findings()["GPU in containers"]["found"] == "docker hands it in: --gpus all"
 
 
 def test_what_does_not_answer_is_named(machine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -92,6 +92,6 @@ def test_a_service_that_does_not_answer_is_wrong(machine: Path, monkeypatch: pyt
         "docker_hub": True,
     }
     monkeypatch.setattr(services, "status", lambda _: facts)
-    found = asked(1)
-    assert (found["registry"]["state"], found["builder"]["state"]) == ("ok", "wrong")
-    assert found["builder"]["remedy"] == "./rosml setup"
+    by_name = findings(1)
+    assert (by_name["registry"]["state"], by_name["builder"]["state"]) == ("ok", "wrong")
+    assert by_name["builder"]["remedy"] == "./rosml setup"

@@ -22,11 +22,11 @@ ENTRY = ":qemu-aarch64:M::\\x7fELF:\\xff:/usr/libexec/qemu:POF\n"
 
 class Installer:
     def __init__(self, entries: Path) -> None:
-        self.entries, self.asked, self.root = entries, dict[str, str](), list[str]()
+        self.entries, self.packages, self.root = entries, dict[str, str](), list[str]()
         self.state = State(entries, print)
 
     def debian_packages(self, packages: Mapping[str, str], root: Sequence[str] = ()) -> None:
-        self.asked.update(packages)
+        self.packages.update(packages)
         self.root = list(root)
         if emulation.PACKAGE in packages:
             (self.entries / "qemu-aarch64.conf").write_text(ENTRY)
@@ -50,7 +50,7 @@ def ensure(machine: Installer, hub: bool = False) -> bool:
 
 def test_qemu_is_installed_and_the_kernel_told(machine: Installer) -> None:
     assert ensure(machine)
-    assert list(machine.asked) == [emulation.PACKAGE, emulation.PROBE]
+    assert list(machine.packages) == [emulation.PACKAGE, emulation.PROBE]
     assert (machine.entries.parent / "table/register").read_text() == ENTRY
 
 
@@ -59,7 +59,7 @@ def test_nothing_to_do(machine: Installer, monkeypatch: pytest.MonkeyPatch, caps
     monkeypatch.setattr(emulation, "which_system", lambda name: f"/usr/bin/{name}")
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     assert not ensure(machine)
-    assert not machine.asked
+    assert not machine.packages
     assert "arm64 runs already" in capsys.readouterr().out
 
 
@@ -67,7 +67,7 @@ def test_a_kernel_that_knows_needs_no_new_builder(machine: Installer) -> None:
     """The builder is started anew for what it could not do before, and for nothing else."""
     (machine.entries.parent / "table/qemu-aarch64").touch()
     assert not ensure(machine)
-    assert emulation.PROBE in machine.asked
+    assert emulation.PROBE in machine.packages
 
 
 def test_a_plain_user(machine: Installer, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -84,7 +84,7 @@ def test_a_user_with_sudo(machine: Installer, tmp_path: Path, monkeypatch: pytes
     monkeypatch.setattr(emulation, "which_system", lambda name: str(sudo) if name == "sudo" else None)
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
     assert ensure(machine, hub=True)
-    assert list(machine.asked) == [emulation.PACKAGE]
+    assert list(machine.packages) == [emulation.PACKAGE]
     assert machine.root == [str(sudo), "-n"]
     assert (machine.entries.parent / "table/register").read_text() == ENTRY
     assert f"-n tee {machine.entries.parent}/table/register" in (tmp_path / "calls").read_text()

@@ -37,9 +37,9 @@ def author(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.setenv(name, f"@{TIME} +0000")
 
 
-def author_git(folder: Path, *arguments: str, given: str = "") -> str:
+def author_git(folder: Path, *arguments: str, content: str = "") -> str:
     command = ["git", "-C", str(folder), *arguments]
-    return subprocess.run(command, input=given, check=True, capture_output=True, text=True).stdout.strip()
+    return subprocess.run(command, input=content, check=True, capture_output=True, text=True).stdout.strip()
 
 
 def repository(folder: Path, *options: str) -> Path:
@@ -55,7 +55,7 @@ def commit_with(folder: Path, header: str = "", moment: str = str(TIME)) -> None
     tree = author_git(folder, "write-tree")
     who = f"a <a@example.org> {moment} +0000"
     text = f"tree {tree}\nauthor {who}\ncommitter {who}\n{header}\nm\n"
-    new = author_git(folder, "hash-object", "-t", "commit", "-w", "--literally", "--stdin", given=text)
+    new = author_git(folder, "hash-object", "-t", "commit", "-w", "--literally", "--stdin", content=text)
     author_git(folder, "update-ref", "refs/heads/main", new)
 
 
@@ -142,10 +142,10 @@ def test_where_there_is_no_commit(tmp_path: Path) -> None:
 def test_a_commit_may_claim_any_time(tmp_path: Path) -> None:
     folder = repository(tmp_path / "a")
     commit_with(folder, moment="9" * 15)
-    found = git.commit(folder)
-    assert found and found.time == git.LATEST
+    commit = git.commit(folder)
+    assert commit and commit.time == git.LATEST
     commit_with(folder, moment="9" * 5000)
-    assert (found := git.commit(folder)) and 0 <= found.time <= git.LATEST
+    assert (commit := git.commit(folder)) and 0 <= commit.time <= git.LATEST
 
 
 def test_git_is_not_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -210,11 +210,11 @@ def test_settings_of_a_repository_start_nothing(
     tmp_path: Path, program: Path, prepare: Callable[[Path, Path], None]
 ) -> None:
     folder = repository(tmp_path / "a")
-    there = head(folder)
+    own_commit = head(folder)
     prepare(folder, program)
-    found = git.commit(folder)
+    commit = git.commit(folder)
     assert not ran(program)
-    assert found is None or (found.time == TIME and found != there), "it has another commit, or none"
+    assert commit is None or (commit.time == TIME and commit != own_commit), "it has another commit, or none"
 
 
 def bare(folder: Path, program: Path) -> Path:
@@ -235,9 +235,9 @@ def test_a_folder_of_a_clone_that_looks_like_a_bare_repository(tmp_path: Path, p
     author_git(origin, "commit", "--quiet", "-m", "b")
     folder = clone(origin, tmp_path / "made")
     assert (folder / "robot/config").is_file()
-    found = git.commit(folder / "robot"), git.commit(folder / "robot/refs")
+    commits = git.commit(folder / "robot"), git.commit(folder / "robot/refs")
     assert not ran(program)
-    assert found == (head(folder), head(folder))
+    assert commits == (head(folder), head(folder))
 
 
 def test_such_a_folder_without_a_repository_around(tmp_path: Path, program: Path) -> None:
@@ -274,8 +274,8 @@ def test_all_that_a_repository_can_name_as_a_program(tmp_path: Path, program: Pa
     author_git(folder, "config", "alias.rev-list", f"!{program}")
     author_git(folder, "config", "core.hooksPath", str(hooks))
     os.utime(folder / "sub/f")
-    there = (folder / ".git/refs/heads/main").read_text().strip()
-    assert git.commit(folder) == git.Commit(there, TIME) and not ran(program)
+    head_hash = (folder / ".git/refs/heads/main").read_text().strip()
+    assert git.commit(folder) == git.Commit(head_hash, TIME) and not ran(program)
     subprocess.run(["git", "-C", str(folder), "status"], capture_output=True)
     assert ran(program)
 
@@ -289,7 +289,7 @@ def test_questions_about_our_own_checkout_start_no_hook(tmp_path: Path, program:
 
 def test_what_git_gets_of_the_environment(tmp_path: Path, program: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = repository(tmp_path / "a")
-    there = head(folder)
+    commit = head(folder)
     other = repository(tmp_path / "other")
     commit_with(other, f"gpgsig {PGP}\n")
     secrets = ("GIT_HTTPS_PASSWORD", "GIT_SSH_PRIVATE_KEY", "REGISTRY_PASSWORD", "GITHUB_TOKEN", "CI_JOB_TOKEN")
@@ -300,7 +300,7 @@ def test_what_git_gets_of_the_environment(tmp_path: Path, program: Path, monkeyp
     monkeypatch.setenv("GIT_TRACE", str(tmp_path / "trace"))
     for name in ("GIT_EXTERNAL_DIFF", "GIT_SSH_COMMAND", "GIT_PAGER", "GIT_ASKPASS", "GIT_PROXY_COMMAND"):
         monkeypatch.setenv(name, str(program))
-    assert git.commit(folder) == there
+    assert git.commit(folder) == commit
     assert not ran(program) and not (tmp_path / "trace").exists()
 
     programs = tmp_path / "programs"
@@ -309,11 +309,11 @@ def test_what_git_gets_of_the_environment(tmp_path: Path, program: Path, monkeyp
     (programs / "git").write_text(f"#!/bin/sh\nexec {sys.executable} -c '{printed}'\n")
     (programs / "git").chmod(0o755)
     monkeypatch.setenv("PATH", f"{programs}:{os.environ['PATH']}")
-    environment, given = json.loads(git.ask(folder, "x"))
-    assert given == "" and "s3cret-canary" not in str(environment)
+    environment, read_input = json.loads(git.ask(folder, "x"))
+    assert read_input == "" and "s3cret-canary" not in str(environment)
     assert environment["HOME"] == os.environ["HOME"]
-    known = {*git.PASSED, *git.CLEAN, "GIT_ALLOW_PROTOCOL", "GIT_OPTIONAL_LOCKS", "GIT_CEILING_DIRECTORIES"}
-    assert environment.keys() <= known | {"PWD", "OLDPWD", "SHLVL", "_", "LC_CTYPE"}, "what a shell adds"
+    names = {*git.PASSED, *git.CLEAN, "GIT_ALLOW_PROTOCOL", "GIT_OPTIONAL_LOCKS", "GIT_CEILING_DIRECTORIES"}
+    assert environment.keys() <= names | {"PWD", "OLDPWD", "SHLVL", "_", "LC_CTYPE"}, "what a shell adds"
 
 
 def test_a_pipe_in_the_place_of_its_settings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -328,34 +328,34 @@ def test_a_pipe_in_the_place_of_its_settings(tmp_path: Path, monkeypatch: pytest
 
 def test_another_users_repository_counts_if_its_user_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = repository(tmp_path / "a")
-    there = head(folder)
+    commit = head(folder)
     monkeypatch.delenv("SUDO_UID", raising=False)
     if os.geteuid() == 0:
         os.chown(folder, 12345, -1)
         os.chown(folder / ".git", 12345, -1)
         assert git.commit(folder) is None
     author_git(tmp_path, "config", "--global", "safe.directory", str(folder))
-    assert git.commit(folder) == there
+    assert git.commit(folder) == commit
 
 
 @pytest.mark.parametrize(
-    "said", ["detected dubious ownership in repository at 'x'", "unsafe repository ('x' is owned by someone else)"]
+    "message", ["detected dubious ownership in repository at 'x'", "unsafe repository ('x' is owned by someone else)"]
 )
 def test_another_users_repository_is_named_with_its_remedy(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, said: str
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, message: str
 ) -> None:
     """In the words of git since 2.35."""
     place = repository(tmp_path / "my robot")
-    executable(tmp_path / "git", f'echo "fatal: {said}" >&2; exit 128')
+    executable(tmp_path / "git", f'echo "fatal: {message}" >&2; exit 128')
     monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
-    told: list[str] = []
-    assert git.commit(place / "sub", told.append) is None
-    assert told == [
+    warnings: list[str] = []
+    assert git.commit(place / "sub", warnings.append) is None
+    assert warnings == [
         f"{place} belongs to another user, and git does not read it: its commit is not known;"
         f" if you trust it: git config --global --add safe.directory '{place}'"
     ]
     executable(tmp_path / "git", 'echo "fatal: bad object HEAD" >&2; exit 128')
-    assert git.commit(place, told.append) is None and len(told) == 1
+    assert git.commit(place, warnings.append) is None and len(warnings) == 1
 
 
 def test_nothing_else_calls_git() -> None:

@@ -28,15 +28,15 @@ DIGEST = f"sha256:{'a' * 64}"
 # ---- The command -----------------------------------------------------------------------------------------------------
 
 
-def asked(*arguments: str) -> tuple[int, dict[str, str]]:
+def answer(*arguments: str) -> tuple[int, dict[str, str]]:
     done = subprocess.run([*OFFLINE, *arguments], capture_output=True, text=True, check=False)
     return done.returncode, json.loads(done.stdout)
 
 
 def test_what_can_be_had() -> None:
-    assert asked(f"{DEBIAN}@{DIGEST}", "--check") == (0, {"missing": ""})
-    assert asked(f"registry.test:5000/copy/ubuntu:24.04@{DIGEST}", "--check") == (0, {"missing": ""})
-    assert asked(f"{UBUNTU}@{DIGEST}", "--check") == (
+    assert answer(f"{DEBIAN}@{DIGEST}", "--check") == (0, {"missing": ""})
+    assert answer(f"registry.test:5000/copy/ubuntu:24.04@{DIGEST}", "--check") == (0, {"missing": ""})
+    assert answer(f"{UBUNTU}@{DIGEST}", "--check") == (
         0,
         {"missing": f"{UBUNTU} is on Docker Hub, which does not answer"},
     )
@@ -44,8 +44,8 @@ def test_what_can_be_had() -> None:
 
 def test_another_registry_answers_for_itself() -> None:
     image = f"registry.test:5000/copy/ubuntu:24.04@{DIGEST}"
-    assert asked(image) == (0, {"reference": image, "python": ""})
-    assert asked(image, "--assembler", "3.12") == (0, {"reference": image, "python": "3.12"})
+    assert answer(image) == (0, {"reference": image, "python": ""})
+    assert answer(image, "--assembler", "3.12") == (0, {"reference": image, "python": "3.12"})
 
 
 def test_an_error_is_an_answer(tmp_path: Path) -> None:
@@ -82,10 +82,10 @@ def test_a_foreign_architecture_under_emulation(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setattr(debian, "native_architecture", lambda: "amd64")
     monkeypatch.setattr(debian, "BINFMT", tmp_path)
     (tmp_path / "qemu-aarch64").touch()
-    made: list[tuple[str, str]] = []
+    calls: list[tuple[str, str]] = []
 
     def one(_services: Services, suite: str, architecture: str) -> str:
-        made.append((suite, architecture))
+        calls.append((suite, architecture))
         return f"sha256:{architecture}"
 
     with standing_in() as registry, Registry(registry.address) as client:
@@ -93,13 +93,13 @@ def test_a_foreign_architecture_under_emulation(tmp_path: Path, monkeypatch: pyt
             name: client.put_manifest("library/debian", "", {"schemaVersion": 2, "annotations": {"of": name}})
             for name in ("amd64", "arm64")
         }
-        monkeypatch.setattr(debian, "debian", lambda *given: digests[one(*given).removeprefix("sha256:")])
-        found = debian.ensure(load(tmp_path, registry=registry.address), DEBIAN, "arm64")["reference"]
-        index = client.manifest("library/debian", found.rpartition("@")[2])
+        monkeypatch.setattr(debian, "debian", lambda *arguments: digests[one(*arguments).removeprefix("sha256:")])
+        reference = debian.ensure(load(tmp_path, registry=registry.address), DEBIAN, "arm64")["reference"]
+        index = client.manifest("library/debian", reference.rpartition("@")[2])
     assert index and [(member.digest, member.platform.architecture) for member in index.members if member.platform] == [
         (digest, name) for name, digest in digests.items()
     ]
-    assert made == [("bookworm", "amd64"), ("bookworm", "arm64")]
+    assert calls == [("bookworm", "amd64"), ("bookworm", "arm64")]
     assert debian.ensure(load(tmp_path), DEBIAN) == {"reference": f"{DEBIAN}@{digests['amd64']}"}
 
 
@@ -197,9 +197,9 @@ def test_folders_that_are_left_out(tmp_path: Path) -> None:
         archive.addfile(tarfile.TarInfo("./etc"))
     debian.add_folders(tar)
     with tarfile.open(tar) as archive:
-        found = {entry.name: (entry.isdir(), entry.mode, entry.mtime) for entry in archive}
-    assert list(found) == ["./etc", "./dev"]
-    assert found["./dev"] == (True, 0o755, debian.EPOCH)
+        entries = {entry.name: (entry.isdir(), entry.mode, entry.mtime) for entry in archive}
+    assert list(entries) == ["./etc", "./dev"]
+    assert entries["./dev"] == (True, 0o755, debian.EPOCH)
 
 
 # ---- What parts are built on -----------------------------------------------------------------------------------------
@@ -222,15 +222,15 @@ def python(versions: Path, release: str) -> None:
 
 @pytest.mark.usefixtures("versions")
 def test_debian_has_its_own_python(tmp_path: Path) -> None:
-    found = assembler.ensure(load(tmp_path), "docker.io/library/debian:trixie", "3.13")
-    assert found == {"reference": "docker.io/library/debian:trixie@sha256:made", "python": "3.13"}
+    base = assembler.ensure(load(tmp_path), "docker.io/library/debian:trixie", "3.13")
+    assert base == {"reference": "docker.io/library/debian:trixie@sha256:made", "python": "3.13"}
 
 
-@pytest.mark.parametrize("wanted", ["3.14", "any"])
-def test_debian_takes_the_place_of_others(tmp_path: Path, versions: Path, wanted: str) -> None:
+@pytest.mark.parametrize("version", ["3.14", "any"])
+def test_debian_takes_the_place_of_others(tmp_path: Path, versions: Path, version: str) -> None:
     python(versions, "3.12.1")
-    found = assembler.ensure(load(tmp_path), UBUNTU, wanted)
-    assert found == {"reference": f"{DEBIAN}@sha256:made", "python": ""}
+    base = assembler.ensure(load(tmp_path), UBUNTU, version)
+    assert base == {"reference": f"{DEBIAN}@sha256:made", "python": ""}
 
 
 def test_the_newest_python_of_the_machine(tmp_path: Path, versions: Path) -> None:
@@ -242,12 +242,12 @@ cat "$last/Dockerfile" "$last/bin/python3.12" >>"$here/calls"; (cd "$last" && fi
 printf '{"containerimage.digest": "sha256:with-python"}' >"$metadata"
 """
     services = load(tmp_path, buildx=list(buildx(tmp_path, build)))
-    found = assembler.ensure(services, UBUNTU, "3.12")
-    assert found == {"reference": "127.0.0.1:1/library/assembler@sha256:with-python", "python": "3.12.10"}
-    said = calls(tmp_path)
-    assert f"FROM {DEBIAN}@sha256:made" in said
-    assert "3.12.10lib/python3.12/os.py" in said
-    assert not any("test_os.py" in line for line in said)
+    base = assembler.ensure(services, UBUNTU, "3.12")
+    assert base == {"reference": "127.0.0.1:1/library/assembler@sha256:with-python", "python": "3.12.10"}
+    lines = calls(tmp_path)
+    assert f"FROM {DEBIAN}@sha256:made" in lines
+    assert "3.12.10lib/python3.12/os.py" in lines
+    assert not any("test_os.py" in line for line in lines)
 
 
 def test_a_python_that_cannot_be_added(tmp_path: Path, versions: Path) -> None:

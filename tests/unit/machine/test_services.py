@@ -48,16 +48,16 @@ def test_environment(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("known", "both"),
+    ("variables", "both"),
     [
         ({"no_proxy": "intern.test"}, "intern.test,127.0.0.1,localhost"),
         ({"no_proxy": "a.test, localhost", "NO_PROXY": "b.test,a.test"}, "a.test,localhost,b.test,127.0.0.1"),
         ({}, "127.0.0.1,localhost"),
     ],
 )
-def test_what_needs_no_proxy_is_said_in_both_spellings(tmp_path: Path, known: dict[str, str], both: str) -> None:
+def test_what_needs_no_proxy_is_said_in_both_spellings(tmp_path: Path, variables: dict[str, str], both: str) -> None:
     """Go's programs and build steps read the one, curl the other."""
-    env = load(tmp_path).environment(known)
+    env = load(tmp_path).environment(variables)
     assert (env["NO_PROXY"], env["no_proxy"]) == (both, both)
 
 

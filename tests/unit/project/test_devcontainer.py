@@ -59,14 +59,14 @@ def put(client: Registry, name: str, python: str, architecture: str = ARCHITECTU
 
 @pytest.fixture
 def registry() -> Iterator[StandIn]:
-    with standing_in() as found:
-        with Registry(found.address) as client:
+    with standing_in() as server:
+        with Registry(server.address) as client:
             put(client, "cuda-cu130", "any")
             for name in ("common", "torch", "tensorflow", "onnx"):
                 put(client, f"{name}-cu130-py{SHORT}", PYTHON)
             put(client, "torch-cu130-py27", "2.7")
             put(client, "torch-cu130-other", PYTHON, "riscv64")
-        yield found
+        yield server
 
 
 def add(reference: str, root: Path) -> subprocess.CompletedProcess[str]:
@@ -149,8 +149,8 @@ def test_what_a_registry_says_of_a_part_is_compared(kind: str, registry: StandIn
     assert not [*tmp_path.iterdir()]
 
 
-def place(found: dict[Any, Any], digest: str) -> Any:
-    return next(key for key in found if digest in key)
+def place(content: dict[Any, Any], digest: str) -> Any:
+    return next(key for key in content if digest in key)
 
 
 @pytest.mark.parametrize(("status", "says"), [(403, "it wants a password"), (500, "HTTP 500")])

@@ -37,13 +37,13 @@ def links(page: Path) -> list[str]:
 
 def anchors(page: Path) -> set[str]:
     """The anchors of a page's headings, as forges make them."""
-    found: dict[str, int] = {}
+    counts: dict[str, int] = {}
     text = re.sub(r"^ *```.*?^ *```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
     for heading in re.findall(r"^#+ (.*)$", text, re.MULTILINE):
         words = re.sub(r"\[([^]]*)\]\([^)]*\)", r"\1", heading).strip().lower()
         slug = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
-        found[slug] = found.get(slug, -1) + 1
-    return {slug if not number else f"{slug}-{number}" for slug, last in found.items() for number in range(last + 1)}
+        counts[slug] = counts.get(slug, -1) + 1
+    return {slug if not number else f"{slug}-{number}" for slug, last in counts.items() for number in range(last + 1)}
 
 
 def broken(page: Path, link: str) -> str:
@@ -93,20 +93,20 @@ class Reader(HTMLParser):
         self.fetched: list[str] = []
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        found = {name: value or "" for name, value in attrs}
-        if "src" in found or ("href" in found and tag == "link" and found.get("rel") != "canonical"):
-            self.fetched.append(found.get("src") or found["href"])
+        attributes = {name: value or "" for name, value in attrs}
+        if "src" in attributes or ("href" in attributes and tag == "link" and attributes.get("rel") != "canonical"):
+            self.fetched.append(attributes.get("src") or attributes["href"])
 
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> dict[Path, Reader]:
     folder = tmp_path_factory.mktemp("docs")
     assert docs.main.main(["--output", str(folder)], standalone_mode=False) is None
-    found = {}
+    readers = {}
     for file in (folder / "site").rglob("*.html"):
-        found[file] = Reader()
-        found[file].feed(file.read_text())
-    return found
+        readers[file] = Reader()
+        readers[file].feed(file.read_text())
+    return readers
 
 
 def test_the_site_is_built(site: dict[Path, Reader]) -> None:
@@ -137,10 +137,10 @@ def test_a_site_with_broken_links_is_not_built(tmp_path: Path) -> None:
         page.write("".join(f"\n[gone]({link})\n" for link in gone))
     with pytest.raises(RosmlError) as caught:
         docs.build(tmp_path)
-    said = re.sub(r"\x1b\[[0-9;]*m", "", caught.value.message)
+    message = re.sub(r"\x1b\[[0-9;]*m", "", caught.value.message)
     for link in gone:
-        assert f"[gone]({link})" in said
-    assert "Traceback" not in said
+        assert f"[gone]({link})" in message
+    assert "Traceback" not in message
 
 
 def test_every_page_is_in_the_navigation() -> None:
@@ -184,15 +184,15 @@ def test_the_page_of_tags_says_which_images_lack_a_lock(real: ImageSet, small: I
 
 def test_the_page_of_tags_says_which_distributions_lack_an_image(real: ImageSet) -> None:
     table, _, rest = (ROOT / "docs/tags.md").read_text().partition("\nNot for every `<d>`: ")
-    said = rest.partition("\n\n")[0]
-    wanted = re.findall(r"`(ros-\w+):<d>-<c>-(\w+)`", table.rpartition("| you have |")[2])
-    assert len(wanted) >= 7
-    there = {(image.distribution, image.repository, image.stack) for image in real.images}
-    lacking = {name for name in real.matrix.distributions for tag in wanted if (name, *tag) not in there}
-    assert set(re.findall(r"[\w-]+", said)) & real.matrix.distributions.keys() == lacking
+    sentence = rest.partition("\n\n")[0]
+    repositories = re.findall(r"`(ros-\w+):<d>-<c>-(\w+)`", table.rpartition("| you have |")[2])
+    assert len(repositories) >= 7
+    existing = {(image.distribution, image.repository, image.stack) for image in real.images}
+    lacking = {name for name in real.matrix.distributions for tag in repositories if (name, *tag) not in existing}
+    assert set(re.findall(r"[\w-]+", sentence)) & real.matrix.distributions.keys() == lacking
     for stack in ("cu121", "cpu38"):
-        assert {name for name, repository, other in there if (repository, other) == ("ros-torch", stack)} <= lacking
-        assert f"`{stack}`" in said
+        assert {name for name, repository, other in existing if (repository, other) == ("ros-torch", stack)} <= lacking
+        assert f"`{stack}`" in sentence
 
 
 def titled(name: str) -> Iterator[Block]:
@@ -226,27 +226,27 @@ def tags(image_set: ImageSet) -> set[str]:
 
 
 def test_every_image_that_a_page_builds_on_is_one_that_there_is(real: ImageSet) -> None:
-    found = [
+    base_images = [
         (block.page, image)
         for page in PAGES
         for block in blocks(page)
         for image in re.findall(r"^FROM <registry>/(\S+)", block.text, re.MULTILINE)
     ]
-    assert len(found) >= 3
-    assert [item for item in found if item[1] not in tags(real)] == []
+    assert len(base_images) >= 3
+    assert [item for item in base_images if item[1] not in tags(real)] == []
 
 
 def test_old_tags_lead_to_tags_that_there_are(real: ImageSet) -> None:
     page = (ROOT / "docs/migrate.md").read_text().partition("\n## From rocker\n")[0]  # whose table has options
     rows = re.findall(r"^\| (`.*?) \| (.*) \|$", page, re.MULTILINE)
     assert len(rows) > 15
-    known, repository = tags(real), ""
+    existing, repository = tags(real), ""
     for _, new in rows:
         if new.startswith("none"):
             continue
         for tag in re.findall(r"`([^`]+)`", new):
             repository = tag.partition(":")[0] if ":" in tag else repository
-            assert (tag if ":" in tag else f"{repository}:{tag}") in known, new
+            assert (tag if ":" in tag else f"{repository}:{tag}") in existing, new
 
 
 THEIRS = {
@@ -286,16 +286,16 @@ def literal(text: ast.expr | None) -> list[str]:
     return [part.value for part in parts if isinstance(part, ast.Constant) and isinstance(part.value, str)]
 
 
-def told(file: Path) -> Iterator[str]:
+def error_texts(file: Path) -> Iterator[str]:
     """The longest words that stand so in each message of a file: of errors, and of notes that are a sentence and its remedy."""
     for function in (node for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.FunctionDef)):
         texts: list[ast.expr | None] = []
         for node in ast.walk(function):
-            said = node.value if isinstance(node, (ast.Yield, ast.Return)) else None
+            value = node.value if isinstance(node, (ast.Yield, ast.Return)) else None
             if isinstance(node, ast.Call) and ast.unparse(node.func).endswith("notes.append"):
-                said = node.args[0]
-            if isinstance(said, ast.Tuple) and len(said.elts) == 2:
-                texts.append(said.elts[0])
+                value = node.args[0]
+            if isinstance(value, ast.Tuple) and len(value.elts) == 2:
+                texts.append(value.elts[0])
             if isinstance(node, ast.Call) and ast.unparse(node.func) == "RosmlError":
                 texts.append(node.args[0])
             if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "text":
@@ -313,7 +313,10 @@ def test_messages_that_newcomers_meet_are_there_to_look_up() -> None:
         code / "containerize/packages/manifest.py",
         code / "cli/containerize/init.py",
     ]
-    messages = {message for file in files for message in told(file)} | {"waiting for a builder", "there is no image"}
+    messages = {message for file in files for message in error_texts(file)} | {
+        "waiting for a builder",
+        "there is no image",
+    }
     assert len(messages) > 25
     page = looked_up()
-    assert [message for message in sorted(messages) if not any(message in known for known in page)] == []
+    assert [message for message in sorted(messages) if not any(message in text for text in page)] == []

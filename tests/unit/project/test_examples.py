@@ -40,11 +40,11 @@ def test_a_dockerfile_installs_what_packages_need(file: Path) -> None:
 
 def test_every_page_installs_dependencies_by_the_line_that_is_built() -> None:
     """rosdep of the images refuses `--yes`, which an earlier line had."""
-    found = [
+    lines = [
         line for page in pages() for line in re.findall(r"apt-get update && .*rosdep install [^`\n]*", page.read_text())
     ]
-    assert len(found) >= 4
-    assert [line for line in found if not INSTALL.startswith(line.replace("--from-paths .", "--from-paths src"))] == []
+    assert len(lines) >= 4
+    assert [line for line in lines if not INSTALL.startswith(line.replace("--from-paths .", "--from-paths src"))] == []
 
 
 def test_rosml_run_shows_the_windows_of_the_example(tmp_path: Path) -> None:

@@ -97,7 +97,9 @@ def test_whatever_is_generated_is_handed_over(checkout: Path) -> None:
     """Also what new versions happen to leave alone today: every file that the generator can write, but for those that come
     from the table of inputs of rosml containerize."""
     inputs = (*page.PAGES, *ci_files.FILES)
-    said = [line.split(":")[0] for line in step("./rosml generate", checkout).splitlines() if "is up to date" in line]
-    written = [name for name in said if name not in inputs]
+    generated = [
+        line.split(":")[0] for line in step("./rosml generate", checkout).splitlines() if "is up to date" in line
+    ]
+    written = [name for name in generated if name not in inputs]
     assert len(written) == 8
     assert [name for name in written if not name.startswith(tuple(KEPT))] == []

@@ -43,13 +43,13 @@ def test_every_word_is_one_line_and_listed() -> None:
 
 
 @pytest.mark.parametrize(
-    ("given", "wrong"),
+    ("words", "wrong"),
     [("imge", "imge"), ("image jazzy-base", "jazzy-base"), ("image TRAGET=x", "TRAGET"), ("image target=x", "target")],
 )
 @pytest.mark.parametrize("options", [[], ["--dry-run"]])
-def test_a_slip_does_nothing(given: str, wrong: str, options: list[str]) -> None:
+def test_a_slip_does_nothing(words: str, wrong: str, options: list[str]) -> None:
     """`make image jazzy-base` would build the default image, and then say that it knows no jazzy-base."""
-    done = make(*options, *given.split())
+    done = make(*options, *words.split())
     assert (done.returncode, done.stdout) == (2, "")
     assert f"nothing was done: make has no command or variable {wrong}; see make's words with: make," in done.stderr
 
@@ -148,19 +148,19 @@ class Shared:
 @pytest.fixture
 def shared() -> Iterator[Shared]:
     with tempfile.TemporaryDirectory() as folder:
-        found = Shared(Path(folder) / "checkout", Path(folder) / "cache")
-        for path in (found.checkout / "mine", found.checkout / "tools", found.cache):
+        shared_checkout = Shared(Path(folder) / "checkout", Path(folder) / "cache")
+        for path in (shared_checkout.checkout / "mine", shared_checkout.checkout / "tools", shared_checkout.cache):
             path.mkdir(parents=True)
         Path(folder).chmod(0o755)
-        found.cache.chmod(0o777)
-        shutil.copy(ROOT / "rosml", found.checkout)
-        requirements = found.checkout / "tools/requirements-app.txt"
+        shared_checkout.cache.chmod(0o777)
+        shutil.copy(ROOT / "rosml", shared_checkout.checkout)
+        requirements = shared_checkout.checkout / "tools/requirements-app.txt"
         requirements.touch()
         os.utime(requirements, (9, 9))
         for name, text in (("python3", PYTHON3), ("python", '#!/bin/sh\necho "$0" "$@"\n')):
-            (found.checkout / "mine" / name).write_text(text)
-            (found.checkout / "mine" / name).chmod(0o755)
-        yield found
+            (shared_checkout.checkout / "mine" / name).write_text(text)
+            (shared_checkout.checkout / "mine" / name).chmod(0o755)
+        yield shared_checkout
 
 
 def test_somebody_who_may_not_write_to_the_checkout_has_their_own_packages(shared: Shared) -> None:
@@ -187,7 +187,7 @@ def test_somebody_who_may_not_write_to_the_checkout_takes_its_packages(shared: S
 
 
 @pytest.mark.parametrize(
-    ("words", "given"), [((), "up"), (("clean",), "clean"), (("status", "--json"), "status --json")]
+    ("words", "arguments"), [((), "up"), (("clean",), "clean"), (("status", "--json"), "status --json")]
 )
-def test_set_up_installs_for_itself(checkout: Path, words: tuple[str, ...], given: str) -> None:
-    assert rosml(checkout, "setup", *words) == (f"bootstrap {given}\n", "")
+def test_set_up_installs_for_itself(checkout: Path, words: tuple[str, ...], arguments: str) -> None:
+    assert rosml(checkout, "setup", *words) == (f"bootstrap {arguments}\n", "")

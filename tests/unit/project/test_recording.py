@@ -37,8 +37,8 @@ def test_a_cast_names_nothing_of_the_machine_and_is_small() -> None:
 
 
 def test_a_cast_is_read_as_it_was_written(tmp_path: Path) -> None:
-    said = (Event(0.5, "o", "\x1b[1mone\x1b[0m\r\n"), Event(2.25, "o", "two\r\n"))
-    commands = {"a": Command("a --b", said), "c": Command("c", ())}
+    events = (Event(0.5, "o", "\x1b[1mone\x1b[0m\r\n"), Event(2.25, "o", "two\r\n"))
+    commands = {"a": Command("a --b", events), "c": Command("c", ())}
     (tmp_path / "cast").write_text(recording.written(commands))
     assert recording.read(tmp_path / "cast") == commands
     assert commands["a"].output == "one\ntwo\n"

@@ -64,7 +64,7 @@ def test_a_release(project: Path, tmp_path: Path) -> None:
     assert (clone / ".state/release/notes.md").read_text().strip() in text
     wheel = clone / ".state/release/rosml-9.8.7-py3-none-any.whl"
     zipfile.ZipFile(wheel).extractall(tmp_path / "installed")
-    said = subprocess.run(
+    message = subprocess.run(
         [sys.executable, "-m", "rosml", "--version"],
         cwd=tmp_path,
         env={**os.environ, "PYTHONPATH": str(tmp_path / "installed")},
@@ -72,7 +72,7 @@ def test_a_release(project: Path, tmp_path: Path) -> None:
         text=True,
         check=True,
     )
-    assert "9.8.7" in said.stdout
+    assert "9.8.7" in message.stdout
     before = wheel.read_bytes()
     assert release(clone, "build").returncode == 0 and wheel.read_bytes() == before
     commit = walk.git(clone, "rev-parse", "HEAD").strip()
@@ -96,7 +96,7 @@ def test_a_release(project: Path, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("version", "broken", "said"),
+    ("version", "broken", "message"),
     [
         ("", "", "nothing is no version"),
         ("1.2", "", "1.2 is no version"),
@@ -107,7 +107,7 @@ def test_a_release(project: Path, tmp_path: Path) -> None:
         ("0.0.2", "hook", "git commit --all: no"),
     ],
 )
-def test_what_is_no_release_changes_nothing(version: str, broken: str, said: str, project: Path) -> None:
+def test_what_is_no_release_changes_nothing(version: str, broken: str, message: str, project: Path) -> None:
     if broken == "tag":
         walk.git(project, "tag", "v0.0.1")
     if broken == "change":
@@ -121,7 +121,7 @@ def test_what_is_no_release_changes_nothing(version: str, broken: str, said: str
         hook.chmod(0o755)
     before = walk.git(project, "rev-parse", "HEAD"), walk.git(project, "diff"), walk.git(project, "tag")
     done = release(project, "start", version)
-    assert done.returncode in (1, 2) and said in done.stderr and "\nremedy: " in done.stderr
+    assert done.returncode in (1, 2) and message in done.stderr and "\nremedy: " in done.stderr
     assert before == (walk.git(project, "rev-parse", "HEAD"), walk.git(project, "diff"), walk.git(project, "tag"))
 
 
@@ -140,7 +140,7 @@ def test_renovate_raises_the_date_of_a_tag_and_nothing_else(real: ImageSet) -> N
         for name in image.tags:
             path, _, text = name.partition(":")
             assert repository.search(f"ghcr.io/me/rosml/{path}") and not dated.search(text), "only dated ones"
-            found = tag.match(f"{text}-20261126")
-            assert found and found.groupdict() == {"compatibility": text, "major": "2026", "minor": "11", "patch": "26"}
+            match = tag.match(f"{text}-20261126")
+            assert match and match.groupdict() == {"compatibility": text, "major": "2026", "minor": "11", "patch": "26"}
             assert dated.search(f"{text}-20261126")
     assert not repository.search("ghcr.io/me/rosml/part") and not repository.search("docker.io/library/debian")

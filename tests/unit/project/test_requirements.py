@@ -41,7 +41,7 @@ def test_they_are_current() -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "stale"),
+    ("text", "replacement", "stale"),
     [
         ('"click==', '"clock==', {"app", "build", "dev", "page"}),
         ('"pytest==', '"pytest>=', {"dev", "page"}),
@@ -50,12 +50,12 @@ def test_they_are_current() -> None:
         ("line-length = 120", "line-length = 121", set()),
     ],
 )
-def test_a_change_of_pyproject_is_seen(tmp_path: Path, old: str, new: str, stale: set[str]) -> None:
+def test_a_change_of_pyproject_is_seen(tmp_path: Path, text: str, replacement: str, stale: set[str]) -> None:
     for folder in ("scripts", "tools", "src"):
         shutil.copytree(ROOT / folder, tmp_path / folder, ignore=shutil.ignore_patterns("__pycache__", "go"))
-    text = (ROOT / "pyproject.toml").read_text()
-    assert text.count(old) == 1
-    (tmp_path / "pyproject.toml").write_text(text.replace(old, new))
+    project = (ROOT / "pyproject.toml").read_text()
+    assert project.count(text) == 1
+    (tmp_path / "pyproject.toml").write_text(project.replace(text, replacement))
     done = check(tmp_path)
     assert set(re.findall(r"tools/requirements-(\w+)\.txt", done.stdout + done.stderr)) == stale
     assert done.returncode == (1 if stale else 0)
@@ -77,15 +77,19 @@ def test_each_package_has_one_version_and_hashes(name: str) -> None:
 def test_what_is_asked_for_is_there() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text())
     groups = project["dependency-groups"]
-    wanted = {"app": project["project"]["dependencies"]}
-    wanted["build"] = [*wanted["app"], *groups["build"]]
+    requirements_of = {"app": project["project"]["dependencies"]}
+    requirements_of["build"] = [*requirements_of["app"], *groups["build"]]
     assert project["build-system"]["requires"] == groups["build"]
-    wanted["dev"] = [*wanted["build"], *groups["docs"], *(item for item in groups["dev"] if isinstance(item, str))]
-    wanted["page"] = [*wanted["dev"], *groups["page"]]
+    requirements_of["dev"] = [
+        *requirements_of["build"],
+        *groups["docs"],
+        *(item for item in groups["dev"] if isinstance(item, str)),
+    ]
+    requirements_of["page"] = [*requirements_of["dev"], *groups["page"]]
     for name in FILES:
-        found = set(re.findall(r"^([\w.-]+==\S+)", requirements(name), re.MULTILINE))
-        asked = (item.lower().partition(";")[0].partition("==") for item in wanted[name])
-        assert {re.sub("[._]", "-", package) + "".join(rest) for package, *rest in asked} <= found
+        pins = set(re.findall(r"^([\w.-]+==\S+)", requirements(name), re.MULTILINE))
+        names = (item.lower().partition(";")[0].partition("==") for item in requirements_of[name])
+        assert {re.sub("[._]", "-", package) + "".join(rest) for package, *rest in names} <= pins
 
 
 def test_they_agree_with_one_another() -> None:
@@ -120,28 +124,28 @@ def bare(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Bootstrap:
     """The set-up of an empty checkout, on a machine whose only packages are those in a folder."""
     for name in [name for name in os.environ if name.startswith("UV_") or name == "VIRTUAL_ENV"]:
         monkeypatch.delenv(name)
-    wanted = {"UV_NO_INDEX": "1", "UV_FIND_LINKS": str(tmp_path / "wheels"), "UV_CACHE_DIR": str(tmp_path / "cache")}
-    for name, value in wanted.items():
+    variables = {"UV_NO_INDEX": "1", "UV_FIND_LINKS": str(tmp_path / "wheels"), "UV_CACHE_DIR": str(tmp_path / "cache")}
+    for name, value in variables.items():
         monkeypatch.setenv(name, value)
-    made = Bootstrap(tmp_path / "checkout")
-    (made.root / "tools").mkdir()
-    (made.root / "pyproject.toml").write_text((ROOT / "pyproject.toml").read_text())
-    return made
+    bootstrap = Bootstrap(tmp_path / "checkout")
+    (bootstrap.root / "tools").mkdir()
+    (bootstrap.root / "pyproject.toml").write_text((ROOT / "pyproject.toml").read_text())
+    return bootstrap
 
 
 def install(bare: Bootstrap, group: str) -> None:
-    found = os.environ.get("UV") or shutil.which("uv") or str(ROOT / ".state/bin/uv")
-    assert Path(found).exists(), "rosml setup installs uv"
+    uv = os.environ.get("UV") or shutil.which("uv") or str(ROOT / ".state/bin/uv")
+    assert Path(uv).exists(), "rosml setup installs uv"
     with bare.module.lock():
-        bare.module.packages(found, group)
+        bare.module.packages(uv, group)
 
 
 def installed(bare: Bootstrap) -> set[str]:
     return {path.name for path in (bare.root / ".venv").rglob("*-1.0.dist-info")}
 
 
-def ask(bare: Bootstrap, group: str, wanted: Mapping[str, str]) -> set[str]:
-    text = "".join(f"{name}==1.0 --hash=sha256:{digest}\n" for name, digest in wanted.items())
+def ask(bare: Bootstrap, group: str, digests: Mapping[str, str]) -> set[str]:
+    text = "".join(f"{name}==1.0 --hash=sha256:{digest}\n" for name, digest in digests.items())
     (bare.root / f"tools/requirements-{group}.txt").write_text(text)
     install(bare, group)
     return installed(bare)
@@ -201,13 +205,13 @@ class Pristine:
 @pytest.fixture(scope="module")
 def environment(tmp_path_factory: pytest.TempPathFactory) -> Pristine:
     place = tmp_path_factory.mktemp("environment")
-    made = Pristine(place / "installed", place / "programs")
-    subprocess.run(["python3", "-m", "venv", made.folder], check=True)
-    made.folder.rename(place / "pristine")
-    made.programs.mkdir()
-    copy = f'[ "$*" != "-m venv {made.folder}" ] || exec cp -a {place}/pristine {made.folder}'
-    executable(made.programs / "python3", f'{copy}\nexec {shutil.which("python3")} "$@"')
-    return made
+    pristine = Pristine(place / "installed", place / "programs")
+    subprocess.run(["python3", "-m", "venv", pristine.folder], check=True)
+    pristine.folder.rename(place / "pristine")
+    pristine.programs.mkdir()
+    copy = f'[ "$*" != "-m venv {pristine.folder}" ] || exec cp -a {place}/pristine {pristine.folder}'
+    executable(pristine.programs / "python3", f'{copy}\nexec {shutil.which("python3")} "$@"')
+    return pristine
 
 
 @pytest.fixture

@@ -53,8 +53,8 @@ def test_every_command_is_one_that_there_is(command: str) -> None:
 
 def test_every_variable_of_a_command_is_set() -> None:
     for (name, job), step in RUNS:
-        given = {**load(name).get("env", {}), **JOBS[name, job].get("env", {}), **step.get("env", {})}
-        assert {*re.findall(r"\$(\w+)", step["run"])} <= given.keys(), step
+        variables = {**load(name).get("env", {}), **JOBS[name, job].get("env", {}), **step.get("env", {})}
+        assert {*re.findall(r"\$(\w+)", step["run"])} <= variables.keys(), step
 
 
 @pytest.mark.parametrize(
@@ -124,16 +124,16 @@ def artifact_steps() -> Iterator[tuple[dict[str, Any], dict[str, Any]]]:
 def test_a_job_that_is_run_again_leaves_what_it_made_by_then() -> None:
     """An artifact is of the whole run: without that, its second upload fails, and others take what the first one left. One of which
     each attempt has its own is taken by the same attempt."""
-    found = list(artifact_steps())
-    assert len(found) > 5
-    for before, step in found:
-        given, attempt = step.get("with", {}), "${{ github.run_attempt }}"
+    steps = list(artifact_steps())
+    assert len(steps) > 5
+    for before, step in steps:
+        options, attempt = step.get("with", {}), "${{ github.run_attempt }}"
         if "/upload-artifact@" in step["uses"]:
-            assert given.get("overwrite") is True or attempt in given["name"], step
+            assert options.get("overwrite") is True or attempt in options["name"], step
         if "/upload-pages-artifact@" in step["uses"]:  # which cannot overwrite
-            assert attempt in given["name"]
+            assert attempt in options["name"]
         if "/deploy-pages@" in step["uses"]:
-            assert before["with"]["name"] == given["artifact_name"]
+            assert before["with"]["name"] == options["artifact_name"]
 
 
 # ---- Rights ----------------------------------------------------------------------------------------------------------
@@ -158,16 +158,16 @@ def test_the_jobs_token_is_sent_to_no_other_registry() -> None:
         if str(step.get("uses")).startswith("docker/login-action@")
     ]
     assert logins
-    for given in logins:
+    for login in logins:
         assert (
-            given["password"]
+            login["password"]
             == "${{ !inputs.registry && !vars.ROSML_REGISTRY && github.token || secrets.ROSML_PASSWORD }}"
         )
-        assert given["registry"] == "${{ env.HOST }}"
+        assert login["registry"] == "${{ env.HOST }}"
     assert text("nightly").count("github.token") == len(logins) + 1
 
 
 def test_what_a_fork_can_set_is_what_workflows_read() -> None:
     section = (ROOT / "docs/nightly.md").read_text().partition("\n## In a fork\n")[2].partition("\n## ")[0]
-    told = set(re.findall(r"`(ROSML_[A-Z]+)`", section))
-    assert told == {name for file in NAMES for name in re.findall(r"\b(?:vars|secrets)\.(\w+)", text(file))}
+    names = set(re.findall(r"`(ROSML_[A-Z]+)`", section))
+    assert names == {name for file in NAMES for name in re.findall(r"\b(?:vars|secrets)\.(\w+)", text(file))}

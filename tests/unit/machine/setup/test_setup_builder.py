@@ -165,7 +165,7 @@ def test_a_builder_whose_steps_get_no_network_of_their_own_says_so(
     """What was tried is not tried again while the builder runs: a set-up ends no build."""
     bridge = step_network.Bridge("rosml-none", "192.0.2.0/24", state.root)
     monkeypatch.setattr(step_network, "bridge", lambda root: why if "without" in why else bridge)
-    monkeypatch.setattr(step_network, "tidy", lambda left: None)
+    monkeypatch.setattr(step_network, "tidy", lambda bridge: None)
     monkeypatch.setattr(step_network, "enclose", lambda *_: why)
     monkeypatch.setattr(builder, "START_SECONDS", 1)
     ends = "'mode = \"bridge\"' in open(sys.argv[2]).read().lower()" if "start" in why else "False"
