@@ -124,11 +124,8 @@ def test_zero_time_is_no_time(build: Build) -> None:
     assert (build.step(ROS).seconds, build.shown) == (0.0, "")
     build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}13Z")
     assert build.step(ROS).seconds == 3.0
-
-
-def test_a_clock_that_went_back_takes_no_time_away(build: Build) -> None:
-    build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}05Z")
-    assert build.step(ROS).seconds == 0.0
+    build.vertex(TORCH, started=f"{DAY}10Z", completed=f"{DAY}05Z")
+    assert build.step(TORCH).seconds == 0.0, "a clock went back"
 
 
 # ---- What people see -------------------------------------------------------------------------------------------------
@@ -160,20 +157,13 @@ def test_cached_steps(build: Build) -> None:
     assert build.log.getvalue().startswith(f"CACHED {TORCH}\n")
 
 
-def test_long_lines_are_cut(build: Build) -> None:
-    build.vertex("[a ros 1/1] RUN " + "x" * 500, started=f"{DAY}10Z", completed=f"{DAY}12Z")
-    assert len(build.shown) == 151
-    assert build.shown.endswith("x…\n")
-    assert "x" * 500 in build.log.getvalue()
-
-
-@pytest.mark.parametrize(("columns", "length"), [("80", 80), ("200", 150)])
-def test_long_lines_fit_the_terminal(build: Build, monkeypatch: pytest.MonkeyPatch, columns: str, length: int) -> None:
-    monkeypatch.setattr(build.out, "isatty", lambda: True)
+@pytest.mark.parametrize(("columns", "length"), [("80", 80), ("200", 150), ("", 150)])
+def test_long_lines_are_cut(build: Build, monkeypatch: pytest.MonkeyPatch, columns: str, length: int) -> None:
+    monkeypatch.setattr(build.out, "isatty", lambda: bool(columns))
     monkeypatch.setenv("COLUMNS", columns)
     build.vertex("[a ros 1/1] RUN " + "x" * 500, started=f"{DAY}10Z", completed=f"{DAY}12Z")
     assert len(build.shown) == length + 1
-    assert build.shown.endswith("x…\n")
+    assert build.shown.endswith("x…\n") and "x" * 500 in build.log.getvalue()
 
 
 # ---- Heartbeat -------------------------------------------------------------------------------------------------------
@@ -212,12 +202,6 @@ def test_a_line_puts_the_heartbeat_off(build: Build) -> None:
     build.vertex(ROS, started=f"{DAY}10Z")
     assert build.shown.count("\n") == 1
     assert "…" not in build.shown
-
-
-def test_no_heartbeat_when_nothing_runs(build: Build) -> None:
-    build.clock.now += 1000
-    build.vertex(JOIN)
-    assert build.shown == ""
 
 
 def test_heartbeat_of_a_build_that_is_silent(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -311,9 +295,3 @@ def test_odd_lines_do_no_harm(build: Build, line: str) -> None:
     build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}20Z")
     assert build.step(ROS).seconds == 10.0
     assert list(build.progress.other) == []
-
-
-def test_without_a_log() -> None:
-    out = StringIO()
-    BuildProgress(out).follow(["noise", json.dumps({"vertexes": [{"digest": "a", "name": ROS}]})])
-    assert out.getvalue() == ""
