@@ -13,7 +13,6 @@ import json
 import os
 import shlex
 import shutil
-import subprocess
 import sys
 import tarfile
 import time
@@ -25,6 +24,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.images.builds.base_images import native_architecture
 from rosml.machine.services import Services
+from rosml.machine.setup.process import Call, run
 from rosml.registry import oci
 from rosml.registry.client import Registry
 
@@ -34,7 +34,6 @@ REPOSITORY = "library/debian"
 BINFMT = Path("/proc/sys/fs/binfmt_misc")
 RECIPE = "io.rosml.recipe"
 """The annotation with the digest of the recipe: if the recipe changes, the image is made again."""
-TAIL_LINES = 20
 
 FILES = {
     "usr/sbin/policy-rc.d": (0o755, "#!/bin/sh\n# Services do not start in an image.\nexit 101\n"),
@@ -198,28 +197,21 @@ def make(
         tar = folder / "root.tar"
         (folder / "tmp").mkdir()
         env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
-        run_logged(isolated(command(suite, architecture, folder / "files", tar)), env, log, lock)
+        argv = isolated(command(suite, architecture, folder / "files", tar))
+        run(say, Call("mmdebstrap", argv, log, env, pass_fds=() if lock is None else (lock,)))
         add_folders(tar)
         manifest, blobs = build_image(tar, tag, architecture)
         digest = push(services, manifest, blobs, tag)
+    except RosmlError as error:
+        raise RosmlError(
+            error.message, error.remedy or "check that Debian's mirrors answer, then run it again"
+        ) from None
     except (OSError, tarfile.TarError) as error:
         raise RosmlError(f"base image debian:{tag}: {error}", "check the disk (df), then run it again") from None
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     say(f"base image debian:{tag}: made in {time.monotonic() - started:.0f} s, served as the mirror of Docker Hub")
     return digest
-
-
-def run_logged(argv: list[str], env: dict[str, str], log: Path, lock: int | None) -> None:
-    descriptors = () if lock is None else (lock,)
-    with log.open("wb") as out:
-        done = subprocess.run(
-            argv, stdin=subprocess.DEVNULL, stdout=out, stderr=out, env=env, pass_fds=descriptors, check=False
-        )
-    if done.returncode != 0:
-        end = "\n".join(log.read_text(errors="replace").splitlines()[-TAIL_LINES:])
-        text = f"mmdebstrap failed (exit code {done.returncode}):\n{end}"
-        raise RosmlError(text, f"see {log}; check that Debian's mirrors answer")
 
 
 def add_folders(tar: Path) -> None:

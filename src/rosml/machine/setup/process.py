@@ -27,6 +27,7 @@ class Call:
     log: Path
     env: Mapping[str, str] | None = None
     cwd: Path | None = None
+    pass_fds: tuple[int, ...] = ()
     finish_on_interrupt: bool = False  # after Ctrl-C, let the command finish first (do not interrupt dpkg)
 
 
@@ -74,9 +75,15 @@ def detached(call: Call) -> subprocess.Popen[bytes]:
         out.write(f"$ {' '.join(call.argv)}\n".encode(errors="surrogateescape"))
         out.flush()
         try:
-            null, env, cwd = subprocess.DEVNULL, call.env, call.cwd
             return subprocess.Popen(
-                call.argv, stdin=null, stdout=out, stderr=out, env=env, cwd=cwd, start_new_session=True
+                call.argv,
+                stdin=subprocess.DEVNULL,
+                stdout=out,
+                stderr=out,
+                env=call.env,
+                cwd=call.cwd,
+                pass_fds=call.pass_fds,
+                start_new_session=True,
             )
         except OSError as error:
             raise RosmlError(f"{call.title}: cannot run {call.argv[0]}: {error.strerror}") from None

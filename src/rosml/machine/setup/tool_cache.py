@@ -7,7 +7,6 @@ import re
 import shutil
 import stat
 import time
-from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -70,18 +69,13 @@ class ToolCache:
         except OSError:
             with suppress(OSError):
                 partial.unlink()
-        for path in self._unused():
-            with suppress(OSError):
-                path.unlink()
+        with suppress(OSError):
+            for file in self.folder.iterdir():
+                if _NAME.fullmatch(file.name) and file.lstat().st_mtime < time.time() - UNUSED_SECONDS:
+                    file.unlink(missing_ok=True)
 
     def _path(self, name: str, pins: str) -> Path:
         return self.folder / "-".join((name, *pins.split(), os.uname().machine))
-
-    def _unused(self) -> Iterator[Path]:
-        with suppress(OSError):
-            for path in sorted(self.folder.iterdir()):
-                if _NAME.fullmatch(path.name) and path.lstat().st_mtime < time.time() - UNUSED_SECONDS:
-                    yield path
 
 
 _NAME = re.compile(r"\.?[a-z]+-v?[\w.+-]+-[0-9a-f]{16}-\w+(\.\d+\.partial)?")
