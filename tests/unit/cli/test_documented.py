@@ -23,10 +23,7 @@ from rosml.images.image_set.explain import explained
 from rosml.images.image_set.model import ImageSet
 from tests.pages import SHELLS, blocks, commands, pages
 
-SCRIPTS = {
-    "bench": bench.main,
-    "scripts/generate_bake.py": generate.main,
-}
+SCRIPTS = {"bench": bench.main, "scripts/generate_bake.py": generate.main}
 MAKEFILE = (ROOT / "Makefile").read_text()
 EXTEND = "docs/extend"
 """How the pages begin whose examples are not in our own matrix; test_extend.py follows them."""

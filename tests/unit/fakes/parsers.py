@@ -835,11 +835,7 @@ PARSERS: dict[str, Parser] = {
     "record of rosml dev": Parser(
         "json", as_json({"key": "a", "image": "b:latest", "id": "1", "upstream": ""}), written("a.json", desk.read)
     ),
-    "scan of a record": Parser(
-        "json",
-        as_json(documents.ENTRY["scan"]),
-        scan_of,
-    ),
+    "scan of a record": Parser("json", as_json(documents.ENTRY["scan"]), scan_of),
     "inputs of a record": Parser("json", as_json({"inputs": {"a": "b"}, **documents.ENTRY}), inputs_of),
     "moves of tags": Parser(
         "json",

@@ -79,10 +79,7 @@ def build() -> Build:
         (ESSENTIALS, "[_os-bookworm base 1/4] /x/install.sh"),
         (TORCH, "build part torch from its lock"),
         (JOIN, "[ros1-bookworm-core-torch-cu128 torch 1/1] COPY --link --from=part-torch /out/ /"),
-        (
-            TEST,
-            "[ros1-bookworm-core-torch-cu128-test test-run 1/2] /run/tests/run.sh /structure-report",
-        ),
+        (TEST, "[ros1-bookworm-core-torch-cu128-test test-run 1/2] /run/tests/run.sh /structure-report"),
         ("[ros1-bookworm-core] exporting to image", "[ros1-bookworm-core] exporting to image"),
         (
             '[robot app-files 1/2] RUN --mount=type=bind,target=/x ["/run/scripts/containerize/step.sh", "/run/app.py", "/base"]',

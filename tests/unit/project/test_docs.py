@@ -69,15 +69,9 @@ def test_no_link_is_broken(page: Path) -> None:
     ("link", "wrong"),
     [
         ("docs/nothing.md", "no such file"),
-        ("../x", "no such file"),
-        ("docs", "no such file"),
         ("docs/contract.md#start", ""),
         ("docs/contract.md#stop", "no heading for #stop"),
-        ("#licence", ""),
-        ("#nothing", "no heading for #nothing"),
         ("http://example.org/", "no https address"),
-        ("https://example", "no https address"),
-        ("https://example.org/a#b", ""),
     ],
 )
 def test_a_broken_link_is_found(link: str, wrong: str) -> None:

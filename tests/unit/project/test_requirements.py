@@ -248,10 +248,7 @@ def test_ci_installs_with_a_backend_of_the_right_hash_and_without_secrets(
 
 @pytest.mark.parametrize("tampered", ["the backend", "what the backend needs", "a package without a wheel"])
 def test_ci_runs_nothing_that_has_another_hash(
-    install_in_ci: Callable[[], subprocess.CompletedProcess[str]],
-    environment: Pristine,
-    tmp_path: Path,
-    tampered: str,
+    install_in_ci: Callable[[], subprocess.CompletedProcess[str]], environment: Pristine, tmp_path: Path, tampered: str
 ) -> None:
     """An index that was taken over gives another backend for the same version, or one for a package of ours."""
     seen, wheels, needs = tmp_path / "seen", tmp_path / "wheels", "helper" if "needs" in tampered else ""

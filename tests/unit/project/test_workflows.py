@@ -57,21 +57,6 @@ def test_every_variable_of_a_command_is_set() -> None:
         assert {*re.findall(r"\$(\w+)", step["run"])} <= variables.keys(), step
 
 
-@pytest.mark.parametrize(
-    ("arguments", "reason"),
-    [
-        (["fly"], "no command"),
-        (["plan", "--fly"], "No such option"),
-        (["plan", "--output"], "requires an argument"),
-        (["plan", "extra"], "unexpected words: extra"),
-    ],
-)
-def test_what_there_is_not_is_told(arguments: list[str], reason: str) -> None:
-    with pytest.raises((AssertionError, click.UsageError)) as caught:
-        accepted(main.cli, arguments)
-    assert reason in str(caught.value)
-
-
 @pytest.mark.parametrize(("value", "signs"), [("", False), ("false", False), ("true", True)])
 @pytest.mark.parametrize("name", ["index", "promote"])
 def test_a_variable_says_whether_to_sign(name: str, value: str, signs: bool, monkeypatch: pytest.MonkeyPatch) -> None:

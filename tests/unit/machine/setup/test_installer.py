@@ -155,11 +155,7 @@ def test_a_failure_of_apt_ends_the_setup(state: State, bare: Path) -> None:
 
 @pytest.mark.parametrize(
     ("kind", "hub", "installed", "missing"),
-    [
-        ("buildkitd", False, [], ["runc", "mmdebstrap"]),
-        ("buildkitd", True, ["crun"], []),
-        ("docker", True, [], []),
-    ],
+    [("buildkitd", False, [], ["runc", "mmdebstrap"]), ("buildkitd", True, ["crun"], []), ("docker", True, [], [])],
 )
 def test_packages_of_a_builder(
     monkeypatch: pytest.MonkeyPatch, kind: str, hub: bool, installed: list[str], missing: list[str]
@@ -170,11 +166,7 @@ def test_packages_of_a_builder(
 
 @pytest.mark.parametrize(
     ("answers", "installed", "missing"),
-    [
-        (True, ["google-chrome"], []),
-        (False, ["dockerd", "chromium"], []),
-        (False, [], ["docker.io", "chromium"]),
-    ],
+    [(True, ["google-chrome"], []), (False, ["dockerd", "chromium"], []), (False, [], ["docker.io", "chromium"])],
 )
 def test_packages_of_the_tests(
     state: State, monkeypatch: pytest.MonkeyPatch, answers: bool, installed: list[str], missing: list[str]

@@ -300,11 +300,7 @@ WHY = {
     "crashes": "as it does not start with a bridge",
     "client/docker": "as docker cannot enter its container",
 }
-TEXTS = {
-    "lacking": "iptables\nnslookup\n",
-    "resolv": "nameserver 127.0.0.1\n",
-    "client/docker": "#!/bin/sh\nexit 1\n",
-}
+TEXTS = {"lacking": "iptables\nnslookup\n", "resolv": "nameserver 127.0.0.1\n", "client/docker": "#!/bin/sh\nexit 1\n"}
 
 
 @pytest.mark.parametrize("file", WHY)
