@@ -310,6 +310,7 @@ def test_what_git_gets_of_the_environment(tmp_path: Path, program: Path, monkeyp
     environment, read_input = json.loads(git.ask(folder, "x"))
     assert read_input == "" and "s3cret-canary" not in str(environment)
     assert environment["HOME"] == os.environ["HOME"]
+    assert environment["GIT_ALLOW_PROTOCOL"] == "", "older versions of git do not read GIT_NO_LAZY_FETCH"
     names = {*git.PASSED, *git.CLEAN, "GIT_ALLOW_PROTOCOL", "GIT_OPTIONAL_LOCKS", "GIT_CEILING_DIRECTORIES"}
     assert environment.keys() <= names | {"PWD", "OLDPWD", "SHLVL", "_", "LC_CTYPE"}, "what a shell adds"
 
