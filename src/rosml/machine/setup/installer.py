@@ -74,10 +74,8 @@ class Installer:
         path = shutil.which(name, path=self.outer_path())
         if path is None:
             return None
-        version, required = (
-            version_in(output_of([path, version_argument])),
-            oldest or version_in(self.pin(name).version),
-        )
+        version = version_in(output_of([path, version_argument]))
+        required = oldest or version_in(self.pin(name).version)
         if version == required or (oldest and version > oldest):
             self.have.append(f"{name} v{dotted(version)} (found on PATH)")
             return path
