@@ -13,7 +13,7 @@ import subprocess
 import sys
 import time
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from importlib import import_module
 from pathlib import Path
 
@@ -193,13 +193,20 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "site"
 
 
-def installed(wheel: Path, folder: Path, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
-    """Runs the command in a folder, with nothing of the checkout in reach."""
-    env: Mapping[str, str] = {"PATH": "/usr/bin:/bin", "HOME": str(folder / "home"), "PYTHONPATH": str(wheel)}
+def installed(
+    wheel: Path, folder: Path, *words: str, cwd: Path | None = None, **environment: str
+) -> subprocess.CompletedProcess[str]:
+    """Runs the command in a folder, with nothing of the checkout in reach, nor packages besides if PYTHONPATH is set."""
+    env = {"PATH": "/usr/bin:/bin", "HOME": str(folder / "home"), "PYTHONPATH": str(wheel), **environment}
     program = folder / "rosml"
     program.write_text("import sys\nfrom rosml.cli.main import run\nsys.exit(run())\n")
-    argv = [sys.executable, str(program), *words]
-    return subprocess.run(argv, cwd=folder, env={**env, **environment}, capture_output=True, text=True, check=False)
+    argv = [sys.executable, *["-S"] * ("PYTHONPATH" in environment), str(program), *words]
+    return subprocess.run(argv, cwd=cwd or folder, env=env, capture_output=True, text=True, check=False)
+
+
+def from_source(repository: Path, words: str) -> subprocess.CompletedProcess[str]:
+    argv = [sys.executable, "src", *words.split()]
+    return subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
 
 
 def test_what_needs_no_checkout(wheel: Path, tmp_path: Path) -> None:
@@ -253,11 +260,7 @@ def test_images_are_run_without_what_publishing_needs(wheel: Path, tmp_path: Pat
         (site / name).symlink_to(Path(import_module(name).__file__ or "").parent)
 
     def call(*words: str) -> subprocess.CompletedProcess[str]:
-        program = tmp_path / "rosml"
-        program.write_text("import sys\nfrom rosml.cli.main import run\nsys.exit(run())\n")
-        env = {"PATH": str(tmp_path), "PYTHONPATH": f"{wheel}:{site}", "HOME": str(tmp_path)}
-        argv = [sys.executable, "-S", str(program), *words]
-        return subprocess.run(argv, cwd=tmp_path, env=env, capture_output=True, text=True, check=False)
+        return installed(wheel, tmp_path, *words, PATH=str(tmp_path), PYTHONPATH=f"{wheel}:{site}")
 
     engine = '#!/bin/sh\ncase $1 in image) echo \'{"Id": "x", "Config": {}}\' ;; run) echo ran ;; esac\n'
     (tmp_path / "docker").write_text(engine)
@@ -287,11 +290,7 @@ def test_the_installed_command_runs_nothing_of_the_folder(wheel: Path, tmp_path:
     (folder / "ros").mkdir()
     (folder / "ros/package.xml").write_text("<package><name>robot</name></package>")
     (tmp_path / "call").mkdir()
-    program = tmp_path / "call/rosml"
-    program.write_text("import sys\nfrom rosml.cli.main import run\nsys.exit(run())\n")
-    env = {"PATH": path, "HOME": str(tmp_path / "home"), "PYTHONPATH": str(wheel)}
-    argv = [sys.executable, str(program), *words.split()]
-    done = subprocess.run(argv, cwd=folder, env=env, capture_output=True, text=True, check=False)
+    done = installed(wheel, tmp_path / "call", *words.split(), cwd=folder, PATH=path)
     assert not (folder / "ran").exists()
     assert "Traceback" not in done.stderr
     if words in OF_A_CHECKOUT:
@@ -338,8 +337,7 @@ def test_what_is_wrong_is_told_before_services_are_asked_for(repository: Path) -
         "plan --only nonsense": "no image named 'nonsense'",
         "publish test --plan matrix.yaml": "matrix.yaml is no plan",
     }.items():
-        argv = [sys.executable, "src", *words.split()]
-        done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+        done = from_source(repository, words)
         assert (done.returncode, says in done.stderr) == (2, True), done.stderr
 
 
@@ -348,8 +346,7 @@ def test_a_file_that_is_no_text_is_named(repository: Path) -> None:
         file = repository / name
         whole = file.read_bytes()
         file.write_bytes(b"# \n\xff" + whole)
-        argv = [sys.executable, "src", *words.split()]
-        done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+        done = from_source(repository, words)
         assert done.returncode == 2
         assert done.stderr == f"error: {name}:2: not UTF-8 (byte 0xff)\nremedy: save the file as UTF-8\n"
         file.write_bytes(whole)
@@ -361,8 +358,7 @@ def test_a_file_that_is_no_text_is_named(repository: Path) -> None:
     ids=lambda words: words.split()[0],
 )
 def test_what_cannot_be_read_or_written_has_a_remedy(repository: Path, words: str) -> None:
-    argv = [sys.executable, "src", *words.split()]
-    done = subprocess.run(argv, cwd=repository, capture_output=True, text=True, check=False)
+    done = from_source(repository, words)
     assert done.returncode in (1, 2) and "\nremedy: " in done.stderr, done.stderr
 
 

@@ -270,25 +270,3 @@ def test_what_is_not_json_is_kept(build: Build) -> None:
     assert list(build.progress.other) == ["ERROR: cannot connect", '{"vertexes":[', "\x00\xff"]
     assert "ERROR: cannot connect\n" in build.log.getvalue()
     assert build.shown == ""
-
-
-@pytest.mark.parametrize(
-    "line",
-    [
-        "null",
-        "3",
-        '"text"',
-        "[]",
-        "{}",
-        '{"vertexes": null, "logs": null, "statuses": null}',
-        '{"vertexes": [{}], "logs": [{}]}',
-        '{"logs": [{"vertex": "a", "data": "%%%"}, {"vertex": "a", "data": "A"}, {"vertex": "a", "data": null}]}',
-        '{"statuses": [{"id": "x", "vertex": "a", "timestamp": "0001-01-01T00:00:00Z", "current": 1}]}',
-        '{"warnings": [{"vertex": "a", "short": "eA=="}]}',
-    ],
-)
-def test_odd_lines_do_no_harm(build: Build, line: str) -> None:
-    build.progress.feed(line)
-    build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}20Z")
-    assert build.step(ROS).seconds == 10.0
-    assert list(build.progress.other) == []
