@@ -17,6 +17,7 @@ import sys
 import tarfile
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 
 from offline.official import debian_suite, missing
@@ -135,16 +136,13 @@ def recipe(tag: str, architecture: str) -> str:
 def find(services: Services, tag: str, architecture: str) -> str:
     """The digest of the image that an earlier call made by the same recipe, if the registry still has all of it."""
     services.require_registry()
-    try:
-        headers, body = services.get(f"/v2/library/debian/manifests/{tag}", oci.IMAGE)
-        manifest = json.loads(body)
-        if manifest.get("annotations", {}).get(RECIPE) != recipe(tag, architecture):
-            return ""
-        for part in (manifest["config"], *manifest["layers"]):
-            services.get(f"/v2/library/debian/blobs/{part['digest']}", method="HEAD")
-        return headers["docker-content-digest"]
-    except (RosmlError, ValueError, KeyError, TypeError, AttributeError):
-        return ""
+    with suppress(RosmlError), Registry(services.registry) as registry:
+        manifest = registry.manifest(REPOSITORY, tag)
+        if manifest and (manifest.content.get("annotations") or {}).get(RECIPE) == recipe(tag, architecture):
+            blobs = (manifest.content["config"], *manifest.content["layers"])
+            if all(registry.has_blob(REPOSITORY, blob["digest"]) for blob in blobs):
+                return manifest.digest
+    return ""
 
 
 def command(suite: str, architecture: str, files: Path, output: Path) -> list[str]:

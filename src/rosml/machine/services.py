@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 import subprocess
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -74,10 +73,9 @@ class Services:
     def state(self) -> Path:
         return self.root / ".state"
 
-    def environment(self, base: Mapping[str, str] | None = None) -> dict[str, str]:
-        """The environment for buildx and uv, from `base` or this process' own: our builder and folders, the user's certificates."""
-        env = dict(os.environ if base is None else base)
-        env["BUILDX_BUILDER"] = self.builder
+    def environment(self) -> dict[str, str]:
+        """The environment for buildx and uv: this process' own, with our builder and folders, and the user's certificates."""
+        env = {**os.environ, "BUILDX_BUILDER": self.builder}
         if self.buildx_config is not None:
             env["BUILDX_CONFIG"] = str(self.buildx_config)
         if auths := credentials.local_file(self.state).get("auths"):
@@ -104,22 +102,15 @@ class Services:
         if not self.registry:
             raise RosmlError("the local registry is not up", REMEDY)
         try:
-            self.get("/v2/")
-        except RosmlError:
-            raise RosmlError(f"the local registry at {self.registry} does not answer", REMEDY) from None
-
-    def get(self, path: str, accept: str = "*/*", method: str = "GET") -> tuple[Mapping[str, str], bytes]:
-        """Asks the registry. Returns the headers and the body of its answer."""
-        try:
             with web.client(timeout=REGISTRY_SECONDS, trust_env=False, verify=False) as client:
-                url = f"http://{self.registry}{path}"
-                answer = client.send(client.build_request(method, url, headers={"Accept": accept}), stream=True)
-                content = web.read(answer, ANSWER_BYTES)
-        except (httpx.HTTPError, httpx.InvalidURL, ValueError) as error:
-            raise RosmlError(f"the registry at {self.registry} does not answer: {error}", REMEDY) from None
-        if not answer.is_success:
-            raise RosmlError(f"the registry at {self.registry} answers {answer.status_code} to {method} {path}", REMEDY)
-        return answer.headers, content
+                request = client.build_request("GET", f"http://{self.registry}/v2/")
+                answer = client.send(request, stream=True)
+                web.read(answer, ANSWER_BYTES)
+                answers = answer.is_success
+        except (httpx.HTTPError, httpx.InvalidURL, ValueError):
+            answers = False
+        if not answers:
+            raise RosmlError(f"the local registry at {self.registry} does not answer", REMEDY)
 
     def require_builder(self, platform: str = "") -> None:
         """Checks that buildx reaches the builder, and that the builder runs programs of a platform."""

@@ -382,7 +382,7 @@ def test_odd_surroundings(wheel: Path, tmp_path: Path, before: str, environment:
 @pytest.mark.parametrize(("name", "value"), [("HTTPS_PROXY", "socks5://me:secret@x:1"), ("ALL_PROXY", "ftp://x")])
 def test_a_proxy_of_another_kind(wheel: Path, tmp_path: Path, name: str, value: str) -> None:
     words = ("status", "--registry", "registry.invalid/x", "--only", IMAGES[0].target, "--json")
-    done = installed(wheel, tmp_path, *words, **{name: value})
+    done = installed(wheel, tmp_path, *words, cwd=None, **{name: value})
     assert done.returncode == 2 and "secret" not in done.stderr
     assert name in json.loads(done.stdout)["error"]
 

@@ -17,6 +17,7 @@ from fakes.http_registry import standing_in
 from fakes.stubs import OFFLINE, buildx, calls, load
 from offline import assembler, debian
 from rosml.base.errors import RosmlError
+from rosml.images.builds.base_images import native_architecture
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registry
@@ -164,6 +165,22 @@ def test_push_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
         registry.fault("PUT", "/manifests/", 405)
         debian.make(load(tmp_path, registry=registry.address), "bookworm", "amd64", folder)
     assert not folder.exists()
+
+
+def test_an_image_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As long as its recipe is the same, and the registry has all of it."""
+    fake_mmdebstrap(
+        tmp_path, f'echo >>{tmp_path}/calls; tar --create --file "${{@: -1}}" --files-from /dev/null', monkeypatch
+    )
+    with standing_in() as registry:
+        services = load(tmp_path, registry=registry.address)
+        digests = {debian.debian(services, "bookworm", native_architecture()) for _ in range(2)}
+        assert len(digests) == 1 and len(calls(tmp_path)) == 1
+        monkeypatch.setattr(debian, "EPOCH", debian.EPOCH + 1)
+        assert debian.debian(services, "bookworm", native_architecture()) not in digests
+        registry.blobs.clear()
+        debian.debian(services, "bookworm", native_architecture())
+    assert len(calls(tmp_path)) == 3
 
 
 def test_files_are_the_same_under_any_umask(tmp_path: Path) -> None:
