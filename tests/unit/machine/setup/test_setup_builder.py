@@ -32,32 +32,30 @@ def state(tmp_path: Path) -> State:
 
 
 @pytest.mark.parametrize(
-    ("docker", "hub", "image", "root", "kind"),
+    ("has", "kind"),
     [
-        (True, True, False, False, "docker"),
-        (True, False, True, False, "docker"),
-        (True, False, False, True, "buildkitd"),  # Docker could not pull BuildKit
-        (False, True, False, True, "buildkitd"),
-        (False, True, False, False, "needs root"),
-        (True, False, False, False, "Docker Hub does not answer, and Docker has no moby/buildkit"),
+        ({"docker", "hub"}, "docker"),
+        ({"docker", "image"}, "docker"),
+        ({"docker", "root"}, "buildkitd"),  # Docker could not pull BuildKit
+        ({"hub", "root"}, "buildkitd"),
+        ({"hub"}, "needs root"),
+        ({"docker"}, "Docker Hub does not answer, and Docker has no moby/buildkit"),
     ],
 )
-def test_choice_of_the_builder(
-    state: State, monkeypatch: pytest.MonkeyPatch, docker: bool, hub: bool, image: bool, root: bool, kind: str
-) -> None:
+def test_choice_of_the_builder(state: State, monkeypatch: pytest.MonkeyPatch, has: set[str], kind: str) -> None:
     monkeypatch.delenv("BUILDX_BUILDER", raising=False)
-    monkeypatch.setattr(tools, "docker_is_there", lambda installer: docker)
-    monkeypatch.setattr(tools, "docker_has_buildkit", lambda installer: image)
+    monkeypatch.setattr(tools, "docker_is_there", lambda installer: "docker" in has)
+    monkeypatch.setattr(tools, "docker_has_buildkit", lambda installer: "image" in has)
     monkeypatch.setattr(tools, "buildkit_image", lambda state: "moby/buildkit:v1")
-    monkeypatch.setattr(os, "geteuid", lambda: 0 if root else 1000)
+    monkeypatch.setattr(os, "geteuid", lambda: 0 if "root" in has else 1000)
     installer = Installer(state)
     if " " not in kind:
-        assert tools.choose_builder(installer, hub) == (kind, "rosml")
+        assert tools.choose_builder(installer, "hub" in has) == (kind, "rosml")
     else:
         with pytest.raises(RosmlError, match=kind):
-            tools.choose_builder(installer, hub)
+            tools.choose_builder(installer, "hub" in has)
     monkeypatch.setenv("BUILDX_BUILDER", "mine")
-    assert tools.choose_builder(installer, hub) == ("user", "mine")
+    assert tools.choose_builder(installer, "hub" in has) == ("user", "mine")
 
 
 def test_buildkit_in_docker_is_of_the_pinned_release() -> None:
