@@ -74,7 +74,7 @@ def test_the_local_registry(server: Hostile, tmp_path: Path) -> None:
     here = replace(services(tmp_path), registry=server.address)
     for answer in (endless(200), reply(302, headers={"Location": "http://["}), endless(500)):
         server.answers = {".": answer}
-        limited_error(lambda: here.get("/v2/"))
+        limited_error(here.require_registry)
 
 
 def test_a_server_in_the_place_of_a_registry(server: Hostile, monkeypatch: pytest.MonkeyPatch) -> None:
