@@ -8,8 +8,8 @@ from collections.abc import Iterable, Sequence
 from rosml.base.errors import RosmlError
 from rosml.run.context import Container, Image, Person
 from rosml.run.plugins import places
-from rosml.run.plugins.concerns import FOLDER, OURS, streams, targets
-from rosml.run.plugins.sockets import WHOLE_NETWORK
+from rosml.run.plugins.basic_options import COMPONENT_LABEL, FOLDER_LABEL, streams, targets
+from rosml.run.plugins.places import ROS_NETWORK
 from rosml.run.words import Line
 
 HERE = "."
@@ -24,8 +24,6 @@ PASSED = frozenset(
 """The options of `run` that `exec` also has."""
 
 SHELLS = ("ash", "bash", "dash", "fish", "ksh", "sh", "zsh")
-"""Programs that are shells."""
-
 IDLE = ("created", "exited", "configured", "initialized", "stopped")
 """The states in which a container can be started."""
 
@@ -35,32 +33,24 @@ class NoContainer(RosmlError):
 
 
 def argv(program: str, line: Line, person: Person, container: Container, image: Image | None) -> list[str]:
-    """The engine's command.
-
-    Args:
-        program: the engine's command.
-        line: the command, and options for `exec`. We leave out --name and --rm.
-        image: the container's image; None if it is gone.
-
-    Raises:
-        RosmlError: an option is for a container that does not run yet.
-    """
-    given = [x for x in line.engine if not set(x.names) <= {"name", "rm"}]
-    refused = next((x.words[0] for x in given if not set(x.names) <= PASSED), "")
+    """The engine's command. Of the options, which are for `exec`, we leave out --name and --rm. `image` is the container's, None if
+    it is gone."""
+    options = [x for x in line.engine if not set(x.names) <= {"name", "rm"}]
+    refused = next((x.words[0] for x in options if not set(x.names) <= PASSED), "")
     if refused:
         text = f"{refused} is for a container that starts, and {container.name} is there already"
         raise RosmlError(text, f"rosml attach {container.name} without it; --new starts another container", exit_code=2)
-    runs = ["--user", container.user] if container.user and not line.has("user") else []
-    words = [word for x in given for word in x.words]
-    entered = [ENTRYPOINT] if is_ours(container) else []
+    user = ["--user", container.user] if container.user and not line.has("user") else []
+    words = [word for x in options for word in x.words]
+    entrypoint = [ENTRYPOINT] if is_ours(container) else []
     command = line.command or default(container, image)
-    return [program, "exec", *streams(line, person), *runs, *words, container.name, *entered, *command]
+    return [program, "exec", *streams(line, person), *user, *words, container.name, *entrypoint, *command]
 
 
 def is_ours(container: Container) -> bool:
     """Whether the container's image is ours, or built on ours. --entrypoint may have replaced the image's own."""
     contract = "DOCKER_UID" in container.environment
-    return contract and (ENTRYPOINT in container.entrypoint or OURS in container.labels)
+    return contract and (ENTRYPOINT in container.entrypoint or COMPONENT_LABEL in container.labels)
 
 
 def default(container: Container, image: Image | None) -> Sequence[str]:
@@ -77,48 +67,32 @@ def is_shell(command: Sequence[str]) -> bool:
     return program.rpartition("/")[2] in SHELLS and all(re.fullmatch("--[a-z]+|-[il]+", word) for word in options)
 
 
-def of_folder(found: Sequence[Container], folder: str, command: str) -> Container:
-    """The container of a folder: the running one, or else the only one.
-
-    Args:
-        found: all containers that `rosml run` started.
-        command: the call, for the message.
-
-    Raises:
-        NoContainer: the folder has none.
-        RosmlError: the folder has several.
-    """
-    here = [container for container in found if container.labels.get(FOLDER) == folder]
+def of_folder(containers: Sequence[Container], folder: str, command: str) -> Container:
+    """The container of a folder: the running one, or else the only one, of all that `rosml run` started. `command` is the call, for
+    the message."""
+    here = [container for container in containers if container.labels.get(FOLDER_LABEL) == folder]
     running = [container for container in here if container.state == "running"]
-    chosen = running or here
-    if len(chosen) == 1:
-        return chosen[0]
-    if chosen:
-        names = ", ".join(_shown(chosen))
-        first = sorted(container.name for container in chosen)[0]
-        raise RosmlError(f"{len(chosen)} containers of this folder: {names}", f"rosml attach {first}", exit_code=2)
-    others = _shown(container for container in found if container.state == "running")
+    candidates = running or here
+    if len(candidates) == 1:
+        return candidates[0]
+    if candidates:
+        names = ", ".join(_shown(candidates))
+        first = sorted(container.name for container in candidates)[0]
+        raise RosmlError(f"{len(candidates)} containers of this folder: {names}", f"rosml attach {first}", exit_code=2)
+    others = _shown(container for container in containers if container.state == "running")
     elsewhere = f"; rosml attach NAME enters one of other folders: {', '.join(others)}" if others else ""
     raise NoContainer(
         f"{command}: no container was started in this folder", f"rosml run IMAGE starts one{elsewhere}", exit_code=2
     )
 
 
-def _shown(found: Iterable[Container]) -> list[str]:
-    """Containers for a message."""
-    return sorted(f"{x.name} ({x.image}, {x.state})" for x in found)
+def _shown(containers: Iterable[Container]) -> list[str]:
+    return sorted(f"{x.name} ({x.image}, {x.state})" for x in containers)
 
 
 def check_same(program: str, line: Line, person: Person, container: Container, image: Image | None) -> None:
     """Checks that the container with the name is the one that `rosml run IMAGE` would start: it runs, is of this folder and of
-    the same image, and has the folder mounted if the user asks for that.
-
-    Args:
-        image: the named image; None if the engine does not have it.
-
-    Raises:
-        RosmlError: it is another container.
-    """
+    the same image, and has the folder mounted if the user asks for that. `image` is the typed one, None if it is missing."""
     name = container.name
     new = f"{_other(line)} starts another container"
     enter = f"rosml attach {name} enters it; {new}"
@@ -126,8 +100,8 @@ def check_same(program: str, line: Line, person: Person, container: Container, i
         again = f"rosml attach {name} starts it again, " if container.state in IDLE else ""
         text = f"a container named {name} exists ({container.state})"
         raise RosmlError(text, f"{again}{program} rm {name} removes it {container.loss(program)}; {new}")
-    if container.labels.get(FOLDER) != person.folder:
-        place = container.labels.get(FOLDER)
+    if container.labels.get(FOLDER_LABEL) != person.folder:
+        place = container.labels.get(FOLDER_LABEL)
         whose = f"it belongs to the folder {place}" if place else "rosml run did not start it"
         raise RosmlError(f"a container named {name} runs, and {whose}", enter)
     if image.id != container.image_id if image else line.image != container.image:
@@ -148,18 +122,14 @@ def _other(line: Line) -> str:
 def lacking(line: Line, container: Container) -> tuple[str, str] | None:
     """A warning and its remedy if the user asks for a network for ROS and the container lacks it; None otherwise."""
     place = places.running(container, rootless=False)
-    if not line.asks(WHOLE_NETWORK) or place.network == place.ipc == places.HOST:
+    if not line.asks(ROS_NETWORK) or place.network == place.ipc == places.HOST:
         return None
     has = f"its network is {place.network}, its shared memory {place.ipc or places.ALONE}"
-    return f"{container.name} runs without --{WHOLE_NETWORK}: {has}", f"{_other(line)} starts another container with it"
+    return f"{container.name} runs without --{ROS_NETWORK}: {has}", f"{_other(line)} starts another container with it"
 
 
 def check_state(program: str, container: Container) -> None:
-    """Checks that a container can be entered, or started first.
-
-    Raises:
-        RosmlError: it can be neither.
-    """
+    """Checks that a container can be entered, or started first."""
     if container.state != "running" and container.state not in IDLE:
         remedies = {"paused": f"{program} unpause {container.name}"}
         remedy = remedies.get(

@@ -14,7 +14,7 @@ from rosml.run.plugins.places import ALONE, HOST, Place
 GOOD, ADVICE, PROBLEM = "good", "advice", "problem"
 """The states of a finding. Advice: something may fail, such as large messages. Problem: something will not work."""
 
-WHOLE = "--ros-network"
+WHOLE = f"--{places.ROS_NETWORK}"
 LARGEST_DOMAIN = 232
 RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
 
@@ -35,26 +35,16 @@ OF_ENGINES = ("docker", "br-", "veth", "podman", "cni", "virbr")
 """Prefixes of interfaces that lead only to containers and virtual machines."""
 
 MASTER = re.compile(r"https?://(?P<machine>[^:/\s]+):(?P<port>[0-9]{1,5})/?")
-"""An address of ROS 1's master."""
-
 ROUTER = 7447
-"""The port of Zenoh's router."""
 
 
 @dataclass(frozen=True)
 class Finding:
-    """A finding.
+    """A finding: a fact about a subject, and a remedy unless it is good."""
 
-    Attributes:
-        what: the subject.
-        state: good, advice or problem.
-        found: the fact.
-        remedy: what to do about it.
-    """
-
-    what: str
+    subject: str
     state: str
-    found: str
+    fact: str
     remedy: str = ""
 
 
@@ -69,9 +59,9 @@ def findings(context: Context, place: Place, others: Sequence[Place], installed:
     here = places.machine(context)
     if here and here.version != place.version:
         here = None
-    found = [network(context, place)]
-    found += [*ros_1(context, place)] if place.version == "1" else [*ros_2(context, place, here, installed)]
-    return [*found, *(other(place, it) for it in others)]
+    results = [network(context, place)]
+    results += [*ros_1(context, place)] if place.version == "1" else [*ros_2(context, place, here, installed)]
+    return [*results, *(other(place, container) for container in others)]
 
 
 def network(context: Context, place: Place) -> Finding:
@@ -103,15 +93,7 @@ def network(context: Context, place: Place) -> Finding:
     return Finding(what, PROBLEM if name == "bridge" else ADVICE, f"{name}: {text}", WHOLE)
 
 
-# ---- ROS 2 -----------------------------------------------------------------------------------------------------------
-
-
 def ros_2(context: Context, place: Place, here: Place | None, installed: Sequence[str]) -> Iterator[Finding]:
-    """The findings of ROS 2.
-
-    Args:
-        here: this machine; None if it has no ROS.
-    """
     yield domain(place, here)
     yield middleware(place, here, installed)
     if place.middleware == "zenoh":
@@ -148,9 +130,9 @@ def middleware(place: Place, here: Place | None, installed: Sequence[str]) -> Fi
     """The RMW implementation: the image needs it, and both sides the same."""
     rmw = place.rmw
     if installed and rmw not in installed:
-        has = ", ".join(installed)
+        names = ", ".join(installed)
         text = f"{rmw}, which the image lacks: no node starts"
-        return Finding("RMW", PROBLEM, text, f"-e RMW_IMPLEMENTATION=… with one that it has: {has}")
+        return Finding("RMW", PROBLEM, text, f"-e RMW_IMPLEMENTATION=… with one that it has: {names}")
     if here and here.middleware != place.middleware:
         ours = f"export RMW_IMPLEMENTATION={rmw}"
         theirs = "" if installed and here.rmw not in installed else f"-e RMW_IMPLEMENTATION={here.rmw}, or "
@@ -174,17 +156,17 @@ def router(context: Context, place: Place) -> Finding:
 
 def discovery_range(context: Context, place: Place) -> Finding:
     """How far nodes look for others."""
-    what, found = "discovery range", place.discovery_range
+    what, range_ = "discovery range", place.discovery_range
     local_only = place.environment.get("ROS_LOCALHOST_ONLY") == "1"
     change = "-e ROS_LOCALHOST_ONLY=0" if local_only else "-e ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET"
-    if found not in RANGES:
+    if range_ not in RANGES:
         return Finding(
-            what, PROBLEM, f"{found!r} is none", f"ROS_AUTOMATIC_DISCOVERY_RANGE is one of {', '.join(RANGES)}"
+            what, PROBLEM, f"{range_!r} is none", f"ROS_AUTOMATIC_DISCOVERY_RANGE is one of {', '.join(RANGES)}"
         )
-    if found == "OFF":
+    if range_ == "OFF":
         return Finding(what, PROBLEM, "OFF: no node finds another", change)
-    if found != "LOCALHOST":
-        return Finding(what, GOOD, found)
+    if range_ != "LOCALHOST":
+        return Finding(what, GOOD, range_)
     if not place.joins_another:
         return Finding(what, PROBLEM, "LOCALHOST, which is the container itself", f"{WHOLE}, or {change}")
     if local_only and place.middleware == "cyclonedds" and not _flags(context, "lo") & MULTICAST:
@@ -226,10 +208,10 @@ def size(context: Context, place: Place) -> Finding:
     if place.ipc == HOST:
         bytes_, remedy = _room(context), f"sudo mount -o remount,size=1g {places.SHM}"
     else:
-        bytes_, remedy = _bytes(said := context.line.value("shm-size")), "--shm-size 1g"
+        bytes_, remedy = _bytes(typed := context.line.value("shm-size")), "--shm-size 1g"
         if bytes_ < 0:
             return Finding(
-                what, PROBLEM, f"{said[:20]!r}{'…' * (len(said) > 20)} is no size: no container starts", remedy
+                what, PROBLEM, f"{typed[:20]!r}{'…' * (len(typed) > 20)} is no size: no container starts", remedy
             )
     if not bytes_:
         return Finding(what, GOOD, "of unknown size")
@@ -241,18 +223,18 @@ def size(context: Context, place: Place) -> Finding:
 
 def _room(context: Context) -> int:
     try:
-        found = os.statvfs(context.host.path(places.SHM))
+        status = os.statvfs(context.host.path(places.SHM))
     except OSError:
         return 0
-    return found.f_frsize * found.f_blocks
+    return status.f_frsize * status.f_blocks
 
 
 def _bytes(text: str) -> int:
     """The bytes of `--shm-size`, such as 512m; 0 for no limit, -1 if the text is no size."""
     if not text:
         return SMALL_MEMORY
-    found = re.fullmatch(r"([0-9]{1,15}(?:\.[0-9]{1,15})?) ?([kmgtp]?)i?b?", text.lower())
-    return int(float(found[1]) * 1024 ** " kmgtp".index(found[2] or " ")) if found else -1
+    match = re.fullmatch(r"([0-9]{1,15}(?:\.[0-9]{1,15})?) ?([kmgtp]?)i?b?", text.lower())
+    return int(float(match[1]) * 1024 ** " kmgtp".index(match[2] or " ")) if match else -1
 
 
 def multicast(context: Context, place: Place) -> Finding:
@@ -274,8 +256,8 @@ def multicast(context: Context, place: Place) -> Finding:
 
 
 def _flags(context: Context, interface: str) -> int:
-    found = context.host.text(f"/sys/class/net/{interface}/flags").strip()
-    return int(found, 16) if re.fullmatch("0x[0-9a-f]+", found) else 0
+    flags = context.host.text(f"/sys/class/net/{interface}/flags").strip()
+    return int(flags, 16) if re.fullmatch("0x[0-9a-f]+", flags) else 0
 
 
 def buffers(context: Context) -> Iterator[Finding]:
@@ -299,19 +281,16 @@ def buffers(context: Context) -> Iterator[Finding]:
         yield Finding("fragments", GOOD, text)
 
 
-# ---- ROS 1 -----------------------------------------------------------------------------------------------------------
-
-
 def ros_1(context: Context, place: Place) -> Iterator[Finding]:
     """The findings of ROS 1: nodes reach the master, and each other by the addresses that they announce."""
-    written = place.environment.get("ROS_MASTER_URI") or "http://localhost:11311"
-    named = MASTER.fullmatch(written)
-    if not named:
+    uri = place.environment.get("ROS_MASTER_URI") or "http://localhost:11311"
+    address = MASTER.fullmatch(uri)
+    if not address:
         remedy = "-e ROS_MASTER_URI=http://ROBOT:11311"
-        yield Finding("master", PROBLEM, f"{written!r} is no address of a master", remedy)
+        yield Finding("master", PROBLEM, f"{uri!r} is no address of a master", remedy)
         return
-    local = _is_local(named["machine"])
-    yield _master(context, place, written, local, (named["machine"], int(named["port"])))
+    local = _is_local(address["machine"])
+    yield _master(context, place, uri, local, (address["machine"], int(address["port"])))
     if place.network == HOST and context.is_here:
         yield _address(context, place, local)
 
@@ -320,17 +299,15 @@ def _is_local(name: str) -> bool:
     return name == "localhost" or name.startswith("127.")
 
 
-def _master(context: Context, place: Place, written: str, local: bool, address: tuple[str, int]) -> Finding:
+def _master(context: Context, place: Place, uri: str, local: bool, address: tuple[str, int]) -> Finding:
     if local and not place.joins_another:
         remedy = f"{WHOLE}, or -e ROS_MASTER_URI=http://ROBOT:{address[1]}"
-        return Finding("master", PROBLEM, f"{written}, which is the container itself", remedy)
+        return Finding("master", PROBLEM, f"{uri}, which is the container itself", remedy)
     if not context.is_here or place.network.startswith("container:") or context.host.connects(address):
-        return Finding("master", GOOD, written)
+        return Finding("master", GOOD, uri)
     if local:
-        return Finding("master", ADVICE, f"{written}: nothing answers there yet", "roscore starts it")
-    return Finding(
-        "master", PROBLEM, f"{written}: nothing answers there", f"check the name, and roscore on {address[0]}"
-    )
+        return Finding("master", ADVICE, f"{uri}: nothing answers there yet", "roscore starts it")
+    return Finding("master", PROBLEM, f"{uri}: nothing answers there", f"check the name, and roscore on {address[0]}")
 
 
 def _address(context: Context, place: Place, local: bool) -> Finding:
@@ -347,42 +324,41 @@ def _address(context: Context, place: Place, local: bool) -> Finding:
     return Finding(what, GOOD, text)
 
 
-# ---- Other containers ------------------------------------------------------------------------------------------------
-
-
-def other(place: Place, it: Place) -> Finding:
+def other(place: Place, running: Place) -> Finding:
     """Whether the container and another running one reach each other."""
-    what = f"container {it.name}"
-    if it.version != place.version:
-        return Finding(what, ADVICE, f"it has ROS {it.version}", "only a bridge between ROS 1 and ROS 2 connects them")
-    apart = [*_apart(place, it)]
+    what = f"container {running.name}"
+    if running.version != place.version:
+        return Finding(
+            what, ADVICE, f"it has ROS {running.version}", "only a bridge between ROS 1 and ROS 2 connects them"
+        )
+    apart = [*_apart(place, running)]
     if apart:
         texts, remedies = zip(*apart, strict=True)
         return Finding(what, PROBLEM, "; ".join(texts), "; ".join(dict.fromkeys(remedies)))
     return Finding(what, GOOD, "nothing is in the way")
 
 
-def _apart(place: Place, it: Place) -> Iterator[tuple[str, str]]:
+def _apart(place: Place, running: Place) -> Iterator[tuple[str, str]]:
     """The reasons that keep both apart, each with a remedy."""
     if place.version == "1":
-        masters = [x.environment.get("ROS_MASTER_URI") or "http://localhost:11311" for x in (place, it)]
+        masters = [x.environment.get("ROS_MASTER_URI") or "http://localhost:11311" for x in (place, running)]
         if masters[0] != masters[1]:
             yield f"its master is {masters[1]}", f"-e ROS_MASTER_URI={masters[1]}"
     else:
-        if place.domain != it.domain:
-            yield f"its domain is {it.domain}", f"-e ROS_DOMAIN_ID={it.domain}"
-        if place.middleware != it.middleware:
-            yield f"its RMW is {it.rmw}", f"-e RMW_IMPLEMENTATION={it.rmw}, if the image has it"
+        if place.domain != running.domain:
+            yield f"its domain is {running.domain}", f"-e ROS_DOMAIN_ID={running.domain}"
+        if place.middleware != running.middleware:
+            yield f"its RMW is {running.rmw}", f"-e RMW_IMPLEMENTATION={running.rmw}, if the image has it"
     if place.middleware == "zenoh" and place.version == "2":
         return
-    within = f"container:{it.name}"
-    if place.network not in (it.network, within) or place.network in (ALONE, "none"):
-        named = "" if it.network in (ALONE, "none", "bridge", HOST) else f"--network {it.network}, or "
-        yield f"its network is {it.network}", f"{named}{WHOLE} for both"
-    elif place.joins_another and place.shares_memory and it.shares_memory:
-        if place.ipc != within and not place.ipc == it.ipc == place.network:
-            lacks = "" if place.has_their_memory else WHOLE
-            remedy = f"{lacks or f'start it with {WHOLE}'}; or without shared memory: {places.WITHOUT}"
+    within = f"container:{running.name}"
+    if place.network not in (running.network, within) or place.network in (ALONE, "none"):
+        join = "" if running.network in (ALONE, "none", "bridge", HOST) else f"--network {running.network}, or "
+        yield f"its network is {running.network}", f"{join}{WHOLE} for both"
+    elif place.joins_another and place.shares_memory and running.shares_memory:
+        if place.ipc != within and not place.ipc == running.ipc == place.network:
+            option = "" if place.has_their_memory else WHOLE
+            remedy = f"{option or f'start running with {WHOLE}'}; or without shared memory: {places.WITHOUT}"
             yield "it does not have the same shared memory", remedy
-        elif place.uid and it.uid and place.uid != it.uid:
-            yield f"its user is {it.uid}", f"--user {it.uid}; or without shared memory: {places.WITHOUT}"
+        elif place.uid and running.uid and place.uid != running.uid:
+            yield f"its user is {running.uid}", f"--user {running.uid}; or without shared memory: {places.WITHOUT}"

@@ -18,59 +18,55 @@ from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.run.defaults import File, base
 from rosml.run.paths import Lead
-from rosml.run.words import Given, Line
+from rosml.run.words import Line, TypedOption
 
-OWN = frozenset(
+HARMLESS = frozenset(
     ("--loc", "--mwd", "--mws", "--no-gpu", "--no-it", "--no-name", "--no-rm", "--no-ros", "--no-tz", "--no-x11")
 )
 """Options of rosml that take something away, or mount the current folder."""
 
-ENGINES = frozenset(("cpus", "init", "interactive", "memory", "name", "rm", "shm-size", "tty"))
+HARMLESS_OF_ENGINE = frozenset(("cpus", "init", "interactive", "memory", "name", "rm", "shm-size", "tty"))
 """Options of the engine that let a container reach nothing."""
 
-VARIABLE = re.compile(
+HARMLESS_VARIABLE = re.compile(
     "(ROS_DOMAIN_ID|ROS_LOCALHOST_ONLY|ROS_AUTOMATIC_DISCOVERY_RANGE|RMW_IMPLEMENTATION)=[A-Za-z0-9_]+"
 )
 """Variables of a container that run nothing. Others can make a shell or a program run their value."""
 
 
-def wanted(line: Line, trusted: bool, leads: Sequence[Lead] = (), folder: str = "") -> list[str]:
+def questionable(line: Line, trusted: bool, leads: Sequence[Lead] = (), folder: str = "") -> list[str]:
     """The settings of a file that need a question, as a shell reads them.
 
     Args:
-        line: the file's settings.
         trusted: the file belongs to the user. If not, all settings need the question.
         leads: the targets of its paths.
         folder: the project's folder.
     """
     image = [f"image {shlex.quote(line.image)}"] if line.image else []
     command = [f"command {shlex.join(line.command)}"] if line.command else []
-    own = [word for word in line.own if word not in OWN or not trusted]
-    engine = [given for given in line.engine if not (trusted and _is_harmless(given))]
-    return [*image, *command, *own, *(_shown(given, leads, folder) for given in engine)]
+    own_words = [word for word in line.rosml if word not in HARMLESS or not trusted]
+    options = [option for option in line.engine if not (trusted and _is_harmless(option))]
+    return [*image, *command, *own_words, *(_shown(option, leads, folder) for option in options)]
 
 
-def _shown(given: Given, leads: Sequence[Lead], folder: str) -> str:
+def _shown(option: TypedOption, leads: Sequence[Lead], folder: str) -> str:
     """Options of the engine, with the links in their paths."""
-    said = "; ".join(filter(None, (lead.said(folder) for lead in leads if lead.words == given.words)))
-    return shlex.join(given.words) + (f" ({said})" if said else "")
+    links = "; ".join(filter(None, (lead.shown(folder) for lead in leads if lead.words == option.words)))
+    return shlex.join(option.words) + (f" ({links})" if links else "")
 
 
-def _is_harmless(given: Given) -> bool:
+def _is_harmless(option: TypedOption) -> bool:
     """Whether options of the engine need no question. A word may have several, and all of them count."""
-    known = ENGINES | ({"env"} if VARIABLE.fullmatch(given.value or "") else frozenset())
-    return set(given.names) <= known
+    harmless = HARMLESS_OF_ENGINE | ({"env"} if HARMLESS_VARIABLE.fullmatch(option.value or "") else frozenset())
+    return set(option.names) <= harmless
 
-
-# ---- What was allowed ------------------------------------------------------------------------------------------------
 
 IMAGES = "image "
 """The prefix of repositories in the memory; files begin with `/`."""
 
 
 def memory(environment: Mapping[str, str]) -> Path:
-    """The memory's file: for each path of a file the allowed `digest`, and for each repository of images whether the user trusts
-    it."""
+    """The file of answers: by a file's path the allowed digest, and by a repository of images whether the user trusts it."""
     return Path(base(environment, "XDG_STATE_HOME", ".local/state"), "rosml", "allowed.json")
 
 
@@ -81,8 +77,8 @@ def is_allowed(file: File, digest: str, place: Path) -> bool:
 
 def is_trusted(repository: str, place: Path) -> bool | None:
     """Whether the user trusts a repository; None if they have not said."""
-    found = _allowed(place).get(IMAGES + repository)
-    return found if isinstance(found, bool) else None
+    answer = _allowed(place).get(IMAGES + repository)
+    return answer if isinstance(answer, bool) else None
 
 
 def with_file(file: File, digest: str, place: Path) -> bytes:
@@ -105,42 +101,32 @@ def _allowed(place: Path) -> dict[str, object]:
     try:
         with open(os.open(place, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as stream:
             owners = {os.fstat(stream.fileno()).st_uid, os.lstat(place.parent).st_uid}
-            found = untrusted.json_value(stream.read(untrusted.SIZE + 1)) if owners == {os.geteuid()} else {}
+            answers = untrusted.json_value(stream.read(untrusted.SIZE + 1)) if owners == {os.geteuid()} else {}
     except (OSError, ValueError):
         return {}
-    return found if isinstance(found, dict) else {}
-
-
-# ---- What a file is ---------------------------------------------------------------------------------------------------
+    return answers if isinstance(answers, dict) else {}
 
 
 def digest(file: File) -> str:
-    """A SHA-256 over a file's content, the targets of its paths, and the content of files that the engine reads.
-
-    Raises:
-        RosmlError: one of these is a pipe or a device, whose content changes with every read.
-    """
+    """A SHA-256 over a file's content, the targets of its paths, and the content of files that the engine reads. A pipe or a device
+    among them is an error, as its content changes with every read."""
     import hashlib  # most files want nothing
 
-    led = [[lead.path, lead.target, _read(lead) if lead.reads else ""] for lead in file.leads]
-    return hashlib.sha256(json.dumps([hashlib.sha256(file.content).hexdigest(), led]).encode()).hexdigest()
+    targets = [[lead.path, lead.target, _read(lead) if lead.reads else ""] for lead in file.leads]
+    return hashlib.sha256(json.dumps([hashlib.sha256(file.content).hexdigest(), targets]).encode()).hexdigest()
 
 
 def _read(lead: Lead) -> str:
-    """A digest of the file, or of the files in the folder, that the engine would read; empty if there is none.
-
-    Raises:
-        RosmlError: as in `digest`.
-    """
+    """A digest of the file, or of the files in the folder, that the engine would read; empty if there is none."""
     import hashlib
 
     if lead.target == os.devnull:
         return ""
     try:
         if os.path.isdir(lead.target):
-            inside = (Lead(path, path) for name in sorted(os.listdir(lead.target)) if (path := f"{lead.target}/{name}"))
-            found = [[each.path, _read(each)] for each in inside if not os.path.isdir(each.path)]
-            return hashlib.sha256(json.dumps(found).encode()).hexdigest()
+            files = (Lead(path, path) for name in sorted(os.listdir(lead.target)) if (path := f"{lead.target}/{name}"))
+            digests = [[file.path, _read(file)] for file in files if not os.path.isdir(file.path)]
+            return hashlib.sha256(json.dumps(digests).encode()).hexdigest()
         with open(os.open(lead.target, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as stream:
             if stat.S_ISREG(os.fstat(stream.fileno()).st_mode):
                 return hashlib.file_digest(stream, "sha256").hexdigest()

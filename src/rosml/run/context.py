@@ -1,4 +1,4 @@
-"""The facts about a call of `rosml run`: plain data; other modules find it out."""
+"""The facts about a call of `rosml run`, as plain data."""
 
 from __future__ import annotations
 
@@ -10,21 +10,22 @@ from pathlib import Path
 
 from rosml.run.words import Line
 
+PODMAN_CDI = ("/etc/cdi", "/var/run/cdi")
+"""The folders in which podman looks for CDI files."""
+
 
 @dataclass(frozen=True)
 class Engine:
-    """The engine, which runs containers.
+    """The engine, docker or podman.
 
     Attributes:
-        program: its command.
-        podman: it is podman, or podman by the name of docker.
+        podman: also true of podman by the name of docker.
         rootless: it runs without root's rights: root in a container is another user outside.
         nvidia: NVIDIA's container runtime is one of its runtimes.
         cdi: the folders in which it looks for CDI files.
         machine: the name of the machine on which it runs; empty if unknown.
-        selinux: it gives its containers SELinux labels.
-        snap: it is a snap, which has its own /tmp and /run, and sees no socket of a session.
-        passwd: if it is podman, its `run` has --passwd and --passwd-entry.
+        snap: a snap has its own /tmp and /run, and sees no socket of a session.
+        passwd: podman's `run` has --passwd and --passwd-entry.
     """
 
     program: str = "docker"
@@ -43,7 +44,7 @@ class Person:
     """The user who calls.
 
     Attributes:
-        uid, gid, name: from the system; the name is empty if it has none.
+        name: empty if the system has none.
         folder: the current folder, absolute.
         timezone: such as `Europe/Berlin`; empty if unknown.
         locale: `LANG`, `LANGUAGE` and `LC_…` of the environment.
@@ -63,13 +64,7 @@ class Person:
 
 @dataclass(frozen=True)
 class Health:
-    """The HEALTHCHECK of an image.
-
-    Attributes:
-        command: empty if it has none.
-        interval, timeout, start_period: seconds; 0 for the engine's default.
-        retries: failures until the container is unhealthy; 0 for the engine's default.
-    """
+    """The HEALTHCHECK of an image. Durations are in seconds; 0 stands for the engine's default."""
 
     command: tuple[str, ...] = ()
     interval: float = 0
@@ -84,12 +79,8 @@ class Image:
 
     Attributes:
         id: its digest, without `sha256:`.
-        environment, labels, entrypoint: from its build.
-        command: its `CMD`.
-        user: the user as whom it starts.
         digest: that of its manifest for this architecture, if the engine names one.
         digests: its names in registries by digest, such as `ghcr.io/me/ros@sha256:…`.
-        health: its HEALTHCHECK.
     """
 
     id: str = ""
@@ -131,7 +122,7 @@ class Container:
     sources: Mapping[str, str] = field(default_factory=dict)
 
     def loss(self, program: str) -> str:
-        """The loss if it is removed, for remedies."""
+        """What is lost if it is removed, for remedies."""
         return f"with all that was written in it; {program} commit {self.name} IMAGE keeps that"
 
 
@@ -139,15 +130,7 @@ LIMIT = 1024 * 1024
 """The most bytes to read of a file. This machine's settings have fewer."""
 
 Address = str | tuple[str, int]
-"""The address of a listener: the path of a socket, or a host and a port."""
-
-
-def _nothing(address: Address) -> bool:
-    return False
-
-
-def _nowhere(place: str | int) -> bool:
-    return False
+"""The path of a socket, or a host and a port."""
 
 
 @dataclass(frozen=True)
@@ -157,7 +140,6 @@ class Host:
     Attributes:
         root: the folder that has its files.
         environment: the caller's variables.
-        name: the machine's name.
         connects: whether something listens at an address; a path has the root already.
         owns: whether an address, or the address of a name, is this machine's own.
         echoes: whether a multicast packet to a port comes back.
@@ -167,13 +149,12 @@ class Host:
     root: Path
     environment: Mapping[str, str] = field(default_factory=dict)
     name: str = ""
-    connects: Callable[[Address], bool] = _nothing
-    owns: Callable[[str], bool] = _nowhere
-    echoes: Callable[[int], bool] = _nowhere
+    connects: Callable[[Address], bool] = lambda address: False
+    owns: Callable[[str], bool] = lambda name: False
+    echoes: Callable[[int], bool] = lambda port: False
     architecture: str = ""
 
     def path(self, place: str) -> Path:
-        """The file at an absolute path."""
         return self.root / place.lstrip("/")
 
     def has(self, *places: str) -> bool:
@@ -189,7 +170,6 @@ class Host:
             return b""
 
     def text(self, place: str) -> str:
-        """The content of a file as text."""
         return self.content(place).decode(errors="replace")
 
     def files(self, folder: str) -> list[str]:
@@ -202,10 +182,10 @@ class Host:
     def owner(self, place: str) -> tuple[int, int]:
         """The ids of a file's user and group; -1 if it is missing."""
         try:
-            found = self.path(place).stat()
+            status = self.path(place).stat()
         except OSError:
             return -1, -1
-        return found.st_uid, found.st_gid
+        return status.st_uid, status.st_gid
 
     def answers(self, socket: str) -> bool:
         """Whether something listens at a socket's path."""
@@ -222,7 +202,6 @@ class Context:
     """All facts.
 
     Attributes:
-        line: the command line.
         trusted: the user trusts the image's repository, so the image may start as root. The image's own labels do not count.
     """
 

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
 from rosml.run import paths
-from rosml.run import repeated_options as taken
 from rosml.run.words import Line, split
 
 PERSON = "rosml/run.toml"
@@ -68,71 +67,61 @@ class Files:
         if image in ("", HERE):
             image = next((line.image for line in lines if line.image), "")
             command = command or next((line.command for line in lines if line.command), ())
-        own = tuple(word for line in (*lines, typed) for word in line.own)
-        return Line(own, (*(given for line in lines for given in line.engine), *typed.engine), image, command)
+        own_words = tuple(word for line in (*lines, typed) for word in line.rosml)
+        return Line(own_words, (*(option for line in lines for option in line.engine), *typed.engine), image, command)
 
     def counting(self, typed: Line) -> list[tuple[str, Line]]:
         """The files, each with the part that counts: one image, with the command of its own file or of one above that names no
         image, and the options that nothing above replaces."""
-        found: list[tuple[str, Line]] = []
+        from rosml.run.repeated_options import without  # most folders have no file
+
+        parts: list[tuple[str, Line]] = []
         above, needs_image, needs_command = typed.engine, typed.image in ("", HERE), not typed.command
         for file in filter(None, (self.project, self.person)):
             line = file.line
-            kept = [given for given in line.engine if not (typed.asks("new") and "name" in given.names)]
-            engine = tuple(left for given in kept if (left := taken.without(given, above)))
+            options = [option for option in line.engine if not (typed.asks("new") and "name" in option.names)]
+            engine = tuple(rest for option in options if (rest := without(option, above)))
             image = line.image if needs_image else ""
             command = line.command if needs_image and needs_command else ()
             needs_image, needs_command = needs_image and not image, needs_command and not command
-            found.insert(0, (file.path, Line(line.own, engine, image, command)))
+            parts.insert(0, (file.path, Line(line.rosml, engine, image, command)))
             above = (*engine, *above)
-        return found
+        return parts
 
-    def said(self, typed: Line) -> list[str]:
+    def summary(self, typed: Line) -> list[str]:
         """The part of each file that counts, in words."""
         return [
             f"from {shown(path)}: {' '.join(words)}"
             for path, line in self.counting(typed)
-            if (words := [shown(word) for word in (*line.own, *_engine(line), line.image, *line.command) if word])
+            if (words := [shown(word) for word in (*line.rosml, *_engine(line), line.image, *line.command) if word])
         ]
 
 
 def _engine(line: Line) -> list[str]:
-    return [word for given in line.engine for word in given.words]
+    return [word for option in line.engine for word in option.words]
 
 
 def base(environment: Mapping[str, str], variable: str, usual: str) -> str:
-    """A folder of the user's, by the XDG Base Directory Specification.
-
-    Args:
-        variable: the variable that names it; a relative path does not count.
-        usual: its usual path in their home.
-    """
-    named = environment.get(variable, "")
-    return named if named.startswith("/") else os.path.join(home(), usual)
+    """A folder of the user's, by the XDG Base Directory Specification: that of the variable, unless it is relative, or else the usual
+    path in their home."""
+    folder = environment.get(variable, "")
+    return folder if folder.startswith("/") else os.path.join(home(), usual)
 
 
 def home() -> str:
     """The user's home folder; / if they have none, or a relative one, which would be a place in somebody's project."""
-    found = os.path.expanduser("~")
-    return found if found.startswith("/") else "/"
+    folder = os.path.expanduser("~")
+    return folder if folder.startswith("/") else "/"
 
 
 def files(environment: Mapping[str, str], folder: str, options: Collection[str], refused: Collection[str]) -> Files:
-    """The files that exist for a folder.
-
-    Args:
-        options: rosml's own options that a file can have, with `--`.
-        refused: those for the command line alone, with `--`.
-
-    Raises:
-        RosmlError: a file is wrong, or cannot be read.
-    """
-    person = f"{base(environment, 'XDG_CONFIG_HOME', '.config')}/{PERSON}"
+    """The files that exist for a folder. `options` are rosml's own that a file can have, `refused` those for the command line alone."""
+    path = f"{base(environment, 'XDG_CONFIG_HOME', '.config')}/{PERSON}"
     project = project_file(folder, home())
-    own = _file(person, options, refused) if os.path.lexists(person) else None
-    if own and not is_own(own.owner, environment):
-        raise _wrong(person, 0, f"it belongs to another user ({own.owner})", "make it yours, or move it away")
-    return Files(own, _file(project, options, refused, is_project=True) if project else None)
+    person_file = _file(path, options, refused) if os.path.lexists(path) else None
+    if person_file and not is_own(person_file.owner, environment):
+        raise _wrong(path, 0, f"it belongs to another user ({person_file.owner})", "make it yours, or move it away")
+    return Files(person_file, _file(project, options, refused, is_project=True) if project else None)
 
 
 def is_own(owner: int, environment: Mapping[str, str]) -> bool:
@@ -143,12 +132,7 @@ def is_own(owner: int, environment: Mapping[str, str]) -> bool:
 
 def project_file(folder: str, end: str) -> str:
     """The file of a project: in a folder or the nearest one above it; empty if there is none. The search ends below the home
-    folder, for which the user's own file counts, and at the end of a file system.
-
-    Args:
-        folder: an absolute path.
-        end: the home folder; links may lead there.
-    """
+    folder, for which the user's own file counts, and at the end of a file system."""
     here, end, device = folder, os.path.realpath(end), _device(folder)
     while here != end and _device(here) == device:
         if os.path.lexists(path := os.path.join(here, PROJECT)):
@@ -172,24 +156,14 @@ def shown(text: str) -> str:
     return "".join(x if x.isprintable() else x.encode("unicode_escape").decode() for x in text)
 
 
-# ---- What is in a file -----------------------------------------------------------------------------------------------
-
-
 def _file(path: str, options: Collection[str], refused: Collection[str], is_project: bool = False) -> File:
-    """Reads a file that exists.
-
-    Args:
-        is_project: it is a project's file: it may be no link, and we follow the links of its paths now.
-
-    Raises:
-        RosmlError: as in `files`.
-    """
+    """Reads a file that exists. A project's file may be no link, and we follow the links of its paths now."""
     try:
         # O_NONBLOCK: a pipe in its place would wait for a writer.
         flags = os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC | (os.O_NOFOLLOW if is_project else 0)
         with open(os.open(path, flags), "rb") as stream:
-            found = os.fstat(stream.fileno())
-            if not stat.S_ISREG(found.st_mode):
+            status = os.fstat(stream.fileno())
+            if not stat.S_ISREG(status.st_mode):
                 raise _wrong(path, 0, "it is no file", "move it away")
             content = stream.read(LIMIT + 1)
     except OSError as error:
@@ -199,11 +173,11 @@ def _file(path: str, options: Collection[str], refused: Collection[str], is_proj
     if len(content) > LIMIT:
         raise _wrong(path, 0, f"it has more than {LIMIT // 1024} KiB", "shorten it, or move it away")
     line, leads = _line(path, _text(path, content), options, refused, is_project)
-    return File(path, content, found.st_uid, line, leads)
+    return File(path, content, status.st_uid, line, leads)
 
 
 def _wrong(path: str, line: int, text: str, remedy: str) -> RosmlError:
-    """The error about a file. `line`: its place; 0 for the whole file."""
+    """The error at a line of a file; 0 stands for the whole file."""
     place = f"{path}:{line}" if line else path
     return RosmlError(shown(f"{place}: {text}"), f"{shown(remedy)}; --no-defaults leaves it out", exit_code=2)
 
@@ -219,51 +193,43 @@ def _text(path: str, content: bytes) -> str:
 def _line(
     path: str, text: str, options: Collection[str], refused: Collection[str], follows: bool
 ) -> tuple[Line, tuple[paths.Lead, ...]]:
-    """The settings of a file, and the targets of its paths if we follow them.
-
-    Raises:
-        RosmlError: the file is broken, or has other settings.
-    """
+    """The settings of a file, and the targets of its paths if we follow them."""
     from rosml.base import untrusted  # most folders have no file
 
     if long := untrusted.DOTTED.search(text):
         line = text.count("\n", 0, long.start()) + 1
         raise _wrong(path, line, "a key has too many parts", f"the keys are {', '.join(KEYS)}")
     try:
-        found = untrusted.toml_value(text)
+        settings = untrusted.toml_value(text)
     except ValueError as error:
         reason, _, place = str(error).partition(" (at ")
-        at = re.match(r"line (\d+)", place)
-        line = int(at[1]) if at else text.count("\n") + 1 if place else 0
+        position = re.match(r"line (\d+)", place)
+        line = int(position[1]) if position else text.count("\n") + 1 if place else 0
         raise _wrong(path, line, f"no TOML: {reason[:1].lower()}{reason[1:]}", "correct that line") from None
-    for key, value in found.items():
+    for key, value in settings.items():
         try:
             _check(key, value)
         except RosmlError as error:
             raise _wrong(path, _place(text, key), error.message, error.remedy) from None
     try:
-        given = _options(found.get("options", []), options, refused)
-        engine = [paths.anchored(option, os.path.dirname(path)) for option in given.engine]
+        options_line = _options(settings.get("options", []), options, refused)
+        engine = [paths.anchored(option, os.path.dirname(path)) for option in options_line.engine]
         followed = [paths.followed(option) if follows else (option, ()) for option in engine]
     except RosmlError as error:
         raise _wrong(path, _place(text, "options"), error.message, error.remedy) from None
-    meant = tuple(option for option, _ in followed)
-    said = Line(given.own, meant, found.get("image", ""), tuple(found.get("command", ())))
-    return said, tuple(lead for _, leads in followed for lead in leads)
+    engine_options = tuple(option for option, _ in followed)
+    command = tuple(settings.get("command", ()))
+    line_settings = Line(options_line.rosml, engine_options, settings.get("image", ""), command)
+    return line_settings, tuple(lead for _, leads in followed for lead in leads)
 
 
 def _place(text: str, key: str) -> int:
     """The line of a key; 0 if it is written in some other way."""
-    found = re.search(rf"^[ \t]*(\[+[ \t]*)?([\"']?){re.escape(key)}\2[ \t]*[=.\]]", text, re.MULTILINE)
-    return text.count("\n", 0, found.start()) + 1 if found else 0
+    match = re.search(rf"^[ \t]*(\[+[ \t]*)?([\"']?){re.escape(key)}\2[ \t]*[=.\]]", text, re.MULTILINE)
+    return text.count("\n", 0, match.start()) + 1 if match else 0
 
 
 def _check(key: str, value: object) -> None:
-    """Checks a key and its value.
-
-    Raises:
-        RosmlError: the key is unknown, or its value has the wrong type.
-    """
     if key not in KEYS:
         from rosml.base.problems import near  # only needed when something is wrong
 
@@ -279,20 +245,16 @@ def _check(key: str, value: object) -> None:
 
 
 def _options(words: Sequence[str], options: Collection[str], refused: Collection[str]) -> Line:
-    """Options of rosml and of the engine, without a hidden image or command.
-
-    Raises:
-        RosmlError: a word is no option.
-    """
-    if two := next((word for word in words if re.match(r"--?[A-Za-z][\w-]* ", word)), ""):
-        first, _, second = two.partition(" ")
-        raise RosmlError(f"options has two words in one: {two!r}", f'write "{first}", "{second.strip()}"')
+    """Options of rosml and of the engine, without a hidden image or command."""
+    if two_words := next((word for word in words if re.match(r"--?[A-Za-z][\w-]* ", word)), ""):
+        first, _, second = two_words.partition(" ")
+        raise RosmlError(f"options has two words in one: {two_words!r}", f'write "{first}", "{second.strip()}"')
     line = split(words, [*options, *refused])
-    if alone := next((name for word in line.own if (name := word.partition("=")[0]) in refused), ""):
-        raise RosmlError(f"{alone} is for the command line alone", "remove it")
-    read = len(line.own) + sum(len(given.words) for given in line.engine)
-    if read < len(words):
-        raise RosmlError(f"options has {words[read]!r}, which is no option", 'an image goes into image = "…"')
-    if valued := next((word.partition("=")[0] for word in line.own if word not in options), ""):
-        raise RosmlError(f"{valued} takes no value", f"write {valued}")
+    if command_line_only := next((name for word in line.rosml if (name := word.partition("=")[0]) in refused), ""):
+        raise RosmlError(f"{command_line_only} is for the command line alone", "remove it")
+    count = len(line.rosml) + sum(len(option.words) for option in line.engine)
+    if count < len(words):
+        raise RosmlError(f"options has {words[count]!r}, which is no option", 'an image goes into image = "…"')
+    if with_value := next((word.partition("=")[0] for word in line.rosml if word not in options), ""):
+        raise RosmlError(f"{with_value} takes no value", f"write {with_value}")
     return line

@@ -11,11 +11,7 @@ from pathlib import Path
 from rosml.run.context import Address, Host
 
 ROOT = Path("/")
-"""The root of the machine's files."""
-
 ARCHITECTURES = {"x86_64": "amd64", "aarch64": "arm64"}
-"""The names of architectures in images, by the kernel's."""
-
 PATIENCE = 0.3
 """Seconds to wait for an answer, such as a display's."""
 
@@ -27,7 +23,6 @@ GROUP = "239.255.0.1"
 
 
 def host(environment: Mapping[str, str]) -> Host:
-    """This machine."""
     system = os.uname()
     architecture = ARCHITECTURES.get(system.machine, "")
     return Host(ROOT, environment, system.nodename, connects, owns, echoes, architecture)
@@ -38,10 +33,10 @@ def connects(address: Address) -> bool:
     import socket  # most calls ask nothing
 
     family = socket.AF_UNIX if isinstance(address, str) else socket.AF_INET
-    with socket.socket(family, socket.SOCK_STREAM) as asked:
-        asked.settimeout(PATIENCE)
+    with socket.socket(family, socket.SOCK_STREAM) as connection:
+        connection.settimeout(PATIENCE)
         try:
-            asked.connect(address)
+            connection.connect(address)
         except NO_ADDRESS:
             return False
     return True
@@ -51,9 +46,9 @@ def owns(address: str) -> bool:
     """Whether an address, or the address of a name, is this machine's own."""
     import socket
 
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as connection:
         try:
-            asked.bind((address, 0))
+            connection.bind((address, 0))
         except NO_ADDRESS:
             return False
     return True
@@ -66,21 +61,21 @@ def echoes(port: int) -> bool:
     import time
 
     packet = os.urandom(16)
-    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asked:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as connection:
         for option in (socket.SO_REUSEADDR, socket.SO_REUSEPORT):
-            asked.setsockopt(socket.SOL_SOCKET, option, 1)
-        asked.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 0)
+            connection.setsockopt(socket.SOL_SOCKET, option, 1)
+        connection.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 0)
         try:
             with contextlib.suppress(OSError):
-                asked.bind(("", port))
-            if not asked.getsockname()[1]:
-                asked.bind(("", 0))
-            asked.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton(GROUP) + bytes(4))
-            asked.sendto(packet, (GROUP, asked.getsockname()[1]))
-            until = time.monotonic() + PATIENCE
-            while (left := until - time.monotonic()) > 0:
-                asked.settimeout(left)
-                if asked.recv(len(packet)) == packet:
+                connection.bind(("", port))
+            if not connection.getsockname()[1]:
+                connection.bind(("", 0))
+            connection.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton(GROUP) + bytes(4))
+            connection.sendto(packet, (GROUP, connection.getsockname()[1]))
+            deadline = time.monotonic() + PATIENCE
+            while (seconds := deadline - time.monotonic()) > 0:
+                connection.settimeout(seconds)
+                if connection.recv(len(packet)) == packet:
                     return True
         except OSError:
             return False
@@ -88,11 +83,8 @@ def echoes(port: int) -> bool:
 
 
 def write(path: Path, content: bytes) -> None:
-    """Writes a private file at once. If it has the content already, it stays, because containers have it mounted.
-
-    Raises:
-        OSError: it cannot be written, or its folder is another user's, or a link that another user made.
-    """
+    """Writes a private file at once. If it has the content already, it stays, because containers have it mounted. The folder must be
+    this user's: a link there may be another user's."""
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     if os.lstat(path.parent).st_uid not in (os.geteuid(), 0):
         raise PermissionError(errno.EPERM, "its folder is another user's", str(path))

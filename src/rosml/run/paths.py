@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
-from rosml.run.words import Given
+from rosml.run.words import TypedOption
 
 SOURCES = ("source", "src")
 """The fields of a mount that name its source."""
@@ -21,8 +21,6 @@ FILES = (*READ, "cidfile", "conmon-pidfile", "init-path", "pidfile")
 """Options whose value is a path of this machine."""
 
 NO_HOSTS = ("image", "none")
-"""Values of --hosts-file that are no path."""
-
 NAMESPACES = ("cgroupns", "ipc", "net", "network", "pid", "userns", "uts")
 """Options of podman that may have a path, after `ns:`."""
 
@@ -30,44 +28,23 @@ LAYERS = ("upperdir", "workdir")
 """The paths that podman's `-v /a:/b:O` may have after `/b`."""
 
 Change = Callable[[str], str]
-"""A function from a path to a new one."""
 
 
-def anchored(given: Given, folder: str) -> Given:
-    """An option from a file with defaults, with absolute paths: also of files that the engine itself would look for in the
-    current folder.
-
-    Args:
-        given: options of the engine.
-        folder: the folder of the file.
-
-    Raises:
-        RosmlError: as in `changed`.
-    """
-    return changed(given, lambda path: _absolute(path, folder))
+def anchored(option: TypedOption, folder: str) -> TypedOption:
+    """An option from a file with defaults, with absolute paths: also of files that the engine itself would look for in the current
+    folder. `folder` is that of the file."""
+    return changed(option, lambda path: _absolute(path, folder))
 
 
-def resolved(given: Given, folder: str) -> Given:
-    """The option with an absolute path if it mounts a relative folder. The engine finds other files itself.
-
-    Args:
-        given: options of the engine.
-        folder: the current folder.
-
-    Raises:
-        RosmlError: as in `changed`.
-    """
-    return anchored(given, folder) if given.names[-1] in ("volume", "mount") else given
+def resolved(option: TypedOption, folder: str) -> TypedOption:
+    """The option with an absolute path if it mounts a relative folder. The engine finds other files itself."""
+    return anchored(option, folder) if option.names[-1] in ("volume", "mount") else option
 
 
-def mounted(given: Given) -> list[str]:
-    """The folders of this machine that `-v` mounts. If one is missing, docker makes it, for root; `--mount` refuses it.
-
-    Args:
-        given: an option whose paths are absolute.
-    """
-    source, colon, _ = (given.value or "").partition(":")
-    return [source] if given.names[-1] == "volume" and colon and source.startswith("/") else []
+def mounted(option: TypedOption) -> list[str]:
+    """The folders of this machine that `-v` mounts. If one is missing, docker makes it, for root; `--mount` refuses it."""
+    source, colon, _ = (option.value or "").partition(":")
+    return [source] if option.names[-1] == "volume" and colon and source.startswith("/") else []
 
 
 def bind(source: str, target: str) -> str:
@@ -85,10 +62,10 @@ def fields(value: str) -> list[str] | None:
     import csv  # few write mounts so
 
     try:
-        (found,) = csv.reader([value], strict=True)
+        (row,) = csv.reader([value], strict=True)
     except (csv.Error, ValueError):
         return None
-    return found
+    return row
 
 
 def _absolute(path: str, folder: str) -> str:
@@ -98,30 +75,20 @@ def _absolute(path: str, folder: str) -> str:
     return path if path.startswith("/") else os.path.normpath(f"{folder}/{path}")
 
 
-# ---- Where paths are in an option ------------------------------------------------------------------------------------
-
-
-def changed(given: Given, change: Change) -> Given:
-    """The option with a new path for each path of this machine.
-
-    Args:
-        given: options of the engine. Only the last one in a word has a value.
-
-    Raises:
-        RosmlError: the engine would read the new path as two.
-    """
-    value, name = given.value, given.names[-1]
+def changed(option: TypedOption, change: Change) -> TypedOption:
+    """The option with a new path for each path of this machine. It is an error if the engine would read the new path as two."""
+    value, name = option.value, option.names[-1]
     if not value or (name == "hosts-file" and value in NO_HOSTS):
-        return given
+        return option
     if name in FILES or (name == "runtime" and "/" in value):
-        new = change(value)
+        new_value = change(value)
     elif name in WRITTEN:
-        new = WRITTEN[name](value, change)
+        new_value = WRITTEN[name](value, change)
     elif name in NAMESPACES and value.startswith("ns:"):
-        new = f"ns:{change(value[3:])}"
+        new_value = f"ns:{change(value[3:])}"
     else:
-        return given
-    return given.with_value(new) if new != value else given
+        return option
+    return option.with_value(new_value) if new_value != value else option
 
 
 def _volume(value: str, change: Change) -> str:
@@ -143,12 +110,12 @@ def _volume(value: str, change: Change) -> str:
 
 def _mount(value: str, change: Change) -> str:
     """`type=bind,source=a,target=/b`. Docker takes capital letters, and mounts a folder as a volume with a `device`."""
-    if (old := fields(value)) is None:
+    if (old_fields := fields(value)) is None:
         return value
-    kinds = [field.lower() for field in old]
+    kinds = [field.lower() for field in old_fields]
     names = SOURCES if "type=bind" in kinds else ()
-    found = [_option(field, change) or _field(field, names, change) for field in old]
-    return value if found == old else joined(found)
+    new_fields = [_option(field, change) or _field(field, names, change) for field in old_fields]
+    return value if new_fields == old_fields else joined(new_fields)
 
 
 def _option(field: str, change: Change) -> str:
@@ -176,8 +143,8 @@ def _device(value: str, change: Change) -> str:
 
 def _security(value: str, change: Change) -> str:
     """`seccomp=profile.json`."""
-    found = re.fullmatch("(seccomp[=:])(.+)", value, re.DOTALL)
-    return found[1] + change(found[2]) if found and found[2] not in ("unconfined", "builtin") else value
+    match = re.fullmatch("(seccomp[=:])(.+)", value, re.DOTALL)
+    return match[1] + change(match[2]) if match and match[2] not in ("unconfined", "builtin") else value
 
 
 def _key(value: str, change: Change) -> str:
@@ -196,15 +163,12 @@ WRITTEN: dict[str, Callable[[str, Change], str]] = {
 }
 """Options that have a path among other things."""
 
-# ---- What paths lead to ----------------------------------------------------------------------------------------------
-
 
 @dataclass(frozen=True)
 class Lead:
     """A path in a file with defaults.
 
     Attributes:
-        path: the path.
         target: where its links lead.
         words: the option's words, with the target.
         reads: the engine reads the content.
@@ -215,42 +179,31 @@ class Lead:
     words: tuple[str, ...] = ()
     reads: bool = False
 
-    def said(self, folder: str) -> str:
-        """The path for people; empty if it has no link.
-
-        Args:
-            folder: the project's folder.
-        """
+    def shown(self, folder: str) -> str:
+        """The path for people; empty if it has no link. `folder` is the project's."""
         if self.target == os.path.normpath(self.path):
             return ""
-        leaves = _is_in(self.path, folder) and not _is_in(self.target, folder)
-        return f"{self.path}, a link to {self.target}{', outside the project' if leaves else ''}"
+        leaves_project = _is_in(self.path, folder) and not _is_in(self.target, folder)
+        return f"{self.path}, a link to {self.target}{', outside the project' if leaves_project else ''}"
 
 
 def _is_in(path: str, folder: str) -> bool:
     return f"{os.path.normpath(path)}/".startswith(f"{folder.rstrip('/')}/")
 
 
-def followed(given: Given) -> tuple[Given, tuple[Lead, ...]]:
-    """The option with the targets of its paths, so that the engine gets what the user was asked about.
-
-    Args:
-        given: an option whose paths are absolute.
-
-    Raises:
-        RosmlError: as in `changed`, or the engine would find more paths itself.
-    """
-    found: dict[str, str] = {}
-    name, value = given.names[-1], given.value or ""
+def followed(option: TypedOption) -> tuple[TypedOption, tuple[Lead, ...]]:
+    """The option with the targets of its paths, so that the engine gets what the user was asked about."""
+    targets: dict[str, str] = {}
+    name, value = option.names[-1], option.value or ""
     if name == "mount" and "type=glob" in value.lower():
         raise RosmlError("--mount type=glob: what it finds may change", "write a mount of type=bind for each folder")
     reads = name in (*READ, "decryption-key", "runtime") or (name == "security-opt" and value.startswith("seccomp"))
 
     def follow(path: str) -> str:
-        return found.setdefault(path, _end(path))
+        return targets.setdefault(path, _end(path))
 
-    new = changed(given, follow)
-    return new, tuple(Lead(path, target, new.words, reads) for path, target in found.items())
+    new = changed(option, follow)
+    return new, tuple(Lead(path, target, new.words, reads) for path, target in targets.items())
 
 
 def _end(path: str) -> str:
@@ -258,8 +211,8 @@ def _end(path: str) -> str:
     in, and only root makes them. Other file systems below /dev, such as /dev/shm, may have anybody's links."""
     target, path = os.path.realpath(path), os.path.normpath(path)
     try:
-        found, devices = os.lstat(path), os.lstat("/dev")
+        status, devices = os.lstat(path), os.lstat("/dev")
     except OSError:
         return target
-    is_udevs = path.startswith("/dev/") and (found.st_uid, found.st_dev) == (0, devices.st_dev)
+    is_udevs = path.startswith("/dev/") and (status.st_uid, status.st_dev) == (0, devices.st_dev)
     return path if is_udevs and target.startswith("/dev/") else target

@@ -12,25 +12,20 @@ from rosml.base.errors import RosmlError
 from rosml.run.context import Person
 
 ZONES = "zoneinfo/"
-"""The name of the system's folder of time zones."""
 
 
 def person(environment: Mapping[str, str]) -> Person:
-    """The user of this process.
-
-    Raises:
-        RosmlError: the current folder was removed.
-    """
+    """The user of this process."""
     uid = os.geteuid()
     try:
         folder = os.getcwd()
     except OSError as error:
         raise RosmlError(f"the current folder: {error.strerror}", "go to another folder", exit_code=2) from None
     return Person(
-        uid=uid,
-        gid=os.getegid(),
-        name=_name(uid),
-        folder=folder,
+        uid,
+        os.getegid(),
+        _name(uid),
+        folder,
         timezone=timezone(environment),
         locale={k: v for k, v in environment.items() if k in ("LANG", "LANGUAGE") or k.startswith("LC_")},
         terminal=os.isatty(0) and os.isatty(1),
@@ -46,12 +41,7 @@ def _name(uid: int) -> str:
 
 
 def timezone(environment: Mapping[str, str], etc: Path = Path("/etc")) -> str:
-    """The name of the time zone: that of TZ, or else the system's; empty if neither has a name.
-
-    Args:
-        environment: variables, with TZ or without.
-        etc: the system's folder of settings.
-    """
+    """The name of the time zone: that of TZ, or else the system's; empty if neither has a name."""
     places = (environment.get("TZ", "").removeprefix(":"), _link(etc / "localtime"), _text(etc / "timezone"))
     return next(filter(None, map(_zone, places)), "")
 
@@ -80,7 +70,7 @@ def _text(file: Path) -> str:
 def reads(descriptor: int) -> bool:
     """Whether a descriptor may have something to read: a terminal, a pipe or a file; not /dev/null or a closed one."""
     try:
-        found = os.fstat(descriptor)
-        return not (stat.S_ISCHR(found.st_mode) and found.st_rdev == os.stat(os.devnull).st_rdev)
+        status = os.fstat(descriptor)
+        return not (stat.S_ISCHR(status.st_mode) and status.st_rdev == os.stat(os.devnull).st_rdev)
     except OSError:
         return False

@@ -34,8 +34,8 @@ class Plugin:
     """A concern.
 
     Attributes:
-        plan: a function from the facts to `Added`, or to words alone. It changes nothing, and starts no process. If it raises
-            a RosmlError, the call ends.
+        plan: a function from the facts to `Added`, or to words alone. It changes nothing, and starts no process. If it raises a
+            RosmlError, the call ends.
         options: its switches, without `--`, and the help for each. `context.line.asks` says whether the user typed one.
         before, after: names of other plugins, for the order of the words. Missing ones do not count.
         package: its package; empty for rosml's own. rosml fills it in.
@@ -47,17 +47,3 @@ class Plugin:
     before: tuple[str, ...] = ()
     after: tuple[str, ...] = ()
     package: str = ""
-
-
-def in_order(plugins: Sequence[Plugin]) -> tuple[list[Plugin], list[Plugin]]:
-    """Plugins in the order that they declare, otherwise in the given order; and the plugins that contradict it."""
-    left, ordered, refused = [*plugins], list[Plugin](), list[Plugin]()
-    while left:
-        ready = next((plugin for plugin in left if not any(_precedes(other, plugin) for other in left)), None)
-        (ordered if ready else refused).append(ready := ready or left[-1])
-        left.remove(ready)
-    return ordered, refused
-
-
-def _precedes(first: Plugin, second: Plugin) -> bool:
-    return first is not second and (first.name in second.after or second.name in first.before)

@@ -5,21 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from rosml.run import paths
-from rosml.run.words import Given
+from rosml.run.words import TypedOption
 
 
-def without(given: Given, later: Iterable[Given]) -> Given | None:
-    """An option without the things that later ones set, as the engines refuse two mounts at a path. None if nothing is left."""
-    thing = _thing(given)
+def without(option: TypedOption, later: Iterable[TypedOption]) -> TypedOption | None:
+    """An option without the thing that later ones set, as the engines refuse two mounts at a path. None if nothing is left."""
+    thing = _thing(option)
     if not thing[0] or thing not in {_thing(other) for other in later}:
-        return given
-    *others, _ = given.names
-    return Given((given.words[0][: len(given.names)],), tuple(others)) if others else None  # `-it` of `-itv a:/b`
+        return option
+    *others, _ = option.names
+    return (
+        TypedOption((option.words[0][: len(option.names)],), tuple(others)) if others else None
+    )  # `-it` of `-itv a:/b`
 
 
-def _thing(given: Given) -> tuple[str, str]:
+def _thing(option: TypedOption) -> tuple[str, str]:
     """The kind and the name of the thing that the last option of a word sets; empty if a container may have several."""
-    name, value = given.names[-1], given.value or ""
+    name, value = option.names[-1], option.value or ""
     if name == "name":
         return name, ""
     if name == "env":

@@ -16,32 +16,19 @@ REFERENCE = re.compile(rf"(?P<name>(?:{_HOST}/)?{_PART}(?:/{_PART})*)(?::{_TAG})
 """The name of an image: https://github.com/distribution/reference/blob/main/reference.go."""
 
 ID = re.compile("(?:sha256:)?(?P<hex>[0-9a-f]+)")
-"""An image's id, or its beginning."""
-
 PUSHED = "push it to a registry, and write its name there"
 """The remedy for an image that only this machine's engine has."""
 
 TRANSPORTS = (
-    "containers-storage",
-    "dir",
-    "docker",
-    "docker-archive",
-    "docker-daemon",
-    "oci",
-    "oci-archive",
-    "ostree",
-    "sif",
+    *("containers-storage", "dir", "docker", "docker-archive", "docker-daemon", "oci", "oci-archive", "ostree", "sif"),
 )
 """Words before a colon that podman takes for a transport, not for a name."""
 
 HUB = "docker.io"
-"""docker's registry for names without one."""
-
 SERVICES = "services.json"
 """The file in `.state` with a checkout's registry and builder."""
 
 NAMESPACE = "rosml"
-"""The prefix of a checkout's images in its local registry."""
 
 
 def repository(name: str, identity: str, podman: bool) -> str:
@@ -51,34 +38,30 @@ def repository(name: str, identity: str, podman: bool) -> str:
     Args:
         name: the image as typed.
         identity: the image's id, without `sha256:`.
-        podman: the engine is podman. It resolves a name without a registry by its own settings, so such a name stays as it is,
-            and is no repository elsewhere.
+        podman: podman resolves a name without a registry by its own settings, so such a name stays as it is, and is no
+            repository elsewhere.
     """
-    found, by_id = REFERENCE.fullmatch(name), ID.fullmatch(name)
+    reference, by_id = REFERENCE.fullmatch(name), ID.fullmatch(name)
     path = podman and name.partition(":")[0] in TRANSPORTS and ":" in name
-    if not found or path or (by_id and identity.startswith(by_id["hex"])):
+    if not reference or path or (by_id and identity.startswith(by_id["hex"])):
         return f"sha256:{identity}"
-    registry, slash, rest = found["name"].partition("/")
+    registry, slash, rest = reference["name"].partition("/")
     if not slash or not (set(registry) & set(".:") or registry == "localhost" or registry != registry.lower()):
         if podman:
-            return found["name"]
-        registry, rest = HUB, found["name"]
+            return reference["name"]
+        registry, rest = HUB, reference["name"]
     if registry == f"index.{HUB}":
         registry = HUB
     return f"{registry}/library/{rest}" if registry == HUB and "/" not in rest else f"{registry}/{rest}"
 
 
 def local_registry(state: Path) -> str:
-    """The address of a checkout's local registry; empty if there is none.
-
-    Args:
-        state: the checkout's folder `.state`.
-    """
+    """The address of a checkout's local registry; empty if there is none. `state` is the checkout's folder `.state`."""
     try:
-        found = untrusted.json_object((state / SERVICES).read_bytes()) or {}
+        services = untrusted.json_object((state / SERVICES).read_bytes()) or {}
     except OSError:
         return ""
-    address = found.get("registry")
+    address = services.get("registry")
     return address if isinstance(address, str) else ""
 
 

@@ -49,12 +49,11 @@ LETTERS = ("-it", "-ti", "-v", "-e", "-p")
 
 
 @dataclass(frozen=True)
-class Given:
+class TypedOption:
     """Options of the engine as typed: `--rm`, `-e A=b` (two words), or `-it` (two options in a word).
 
     Attributes:
-        words: the words as typed.
-        names: the long names of the options in them, such as `env`.
+        names: the long names of the options in the words, such as `env`.
         value: the value of the last option, at the end of the last word; None if it is a switch.
     """
 
@@ -62,12 +61,12 @@ class Given:
     names: tuple[str, ...]
     value: str | None = None
 
-    def with_value(self, value: str) -> Given:
+    def with_value(self, value: str) -> TypedOption:
         """The same with another value, written in the same way."""
         if self.value is None:
             return self
         last = self.words[-1]
-        return Given((*self.words[:-1], last[: len(last) - len(self.value)] + value), self.names, value)
+        return TypedOption((*self.words[:-1], last[: len(last) - len(self.value)] + value), self.names, value)
 
 
 @dataclass(frozen=True)
@@ -75,24 +74,24 @@ class Line:
     """A command line.
 
     Attributes:
-        own: words for rosml itself.
+        rosml: words for rosml itself.
         engine: options for the engine.
-        image: the image; empty if there is none.
+        image: empty if there is none.
         command: all words after the image.
     """
 
-    own: tuple[str, ...]
-    engine: tuple[Given, ...]
+    rosml: tuple[str, ...]
+    engine: tuple[TypedOption, ...]
     image: str
     command: tuple[str, ...]
 
     def asks(self, name: str) -> bool:
         """Whether the user typed a switch of rosml's own, such as `no-rm`."""
-        return f"--{name}" in self.own
+        return f"--{name}" in self.rosml
 
     def has(self, *names: str) -> bool:
         """Whether the user typed one of these options of the engine, by their long names."""
-        return any(name in given.names for given in self.engine for name in names)
+        return any(name in option.names for option in self.engine for name in names)
 
     def value(self, name: str) -> str:
         """The last value of an option of the engine; empty if there is none."""
@@ -100,18 +99,18 @@ class Line:
 
     def values(self, *names: str) -> list[str]:
         """The values of options of the engine, in their order."""
-        return [given.value or "" for given in self.engine if given.names[-1] in names]
+        return [option.value or "" for option in self.engine if option.names[-1] in names]
 
-    def late(self, own: Collection[str] = ()) -> bool:
+    def late(self, rosml_options: Collection[str] = ()) -> bool:
         """Whether an option of the engines, or one of rosml's own, stands after the image, and is the command therefore."""
         first = next(iter(self.command), "")
         name = first.partition("=")[0]
-        return name in own or first in LETTERS or (first.startswith("--") and name[2:] in table().names)
+        return name in rosml_options or first in LETTERS or (first.startswith("--") and name[2:] in table().names)
 
     @property
-    def taken(self) -> str:
+    def taken_word(self) -> str:
         """The option that took the last word as its value, if no image follows; empty if none did."""
-        last = self.engine[-1] if self.engine and not self.image else Given((), ())
+        last = self.engine[-1] if self.engine and not self.image else TypedOption((), ())
         return f"{last.value!r} is the value of {last.words[0]}" if len(last.words) > 1 else ""
 
     def sets(self, *variables: str) -> bool:
@@ -121,13 +120,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Table:
-    """The engines' options.
-
-    Attributes:
-        values: the long names of options with a value.
-        switches: the long names of the others.
-        letters: the long name for each letter.
-    """
+    """The engines' options: long names of those with a value and of the others, and the long name for each letter."""
 
     values: frozenset[str]
     switches: frozenset[str]
@@ -135,7 +128,6 @@ class Table:
 
     @property
     def names(self) -> frozenset[str]:
-        """All long names."""
         return self.values | self.switches
 
 
@@ -158,106 +150,100 @@ MOST = 10_000
 """Most options of a command line. The command may have more words."""
 
 
-def split(words: Collection[str], own: Collection[str], with_value: Collection[str] = ()) -> Line:
+def split(words: Collection[str], rosml_options: Collection[str], with_value: Collection[str] = ()) -> Line:
     """Reads a command line as docker and podman read theirs: the first word that is no option is the image.
 
     Args:
-        words: the words after `rosml run`.
-        own: rosml's own options, such as `--dry-run`.
-        with_value: own options that take a value; the others are switches.
-
-    Raises:
-        RosmlError: an option is unknown, or lacks its value, or there are too many (exit code 2).
+        rosml_options: rosml's own options, such as `--dry-run`.
+        with_value: those that take a value; the others are switches.
     """
-    mine: list[str] = []
-    engine: list[Given] = []
+    rosml_words: list[str] = []
+    engine: list[TypedOption] = []
     rest = iter(words)
     for word in rest:
         if word == "--":
-            return _line(mine, engine, [*rest])
+            return _line(rosml_words, engine, [*rest])
         if not word.startswith("-") or word == "-":
-            return _line(mine, engine, [word, *rest])
-        if word.partition("=")[0] in own:
-            mine += [word, _value(word, rest)] if word in with_value else [word]
+            return _line(rosml_words, engine, [word, *rest])
+        if word.partition("=")[0] in rosml_options:
+            rosml_words += [word, _value(word, rest)] if word in with_value else [word]
         elif word.startswith("--"):
-            engine.append(_long(word, rest, own))
+            engine.append(_long(word, rest, rosml_options))
         else:
             engine.append(_letters(word, rest))
-    return _line(mine, engine, [])
+    return _line(rosml_words, engine, [])
 
 
-def _line(own: list[str], engine: list[Given], rest: list[str]) -> Line:
+def _line(rosml_words: list[str], engine: list[TypedOption], rest: list[str]) -> Line:
     if len(engine) > MOST:
         text = f"{len(engine):,} options are more than any call of an engine needs"
         raise RosmlError(text, f"write at most {MOST:,}; --env-file takes many variables", exit_code=2)
     image = rest[0] if rest else ""
-    program = any(
-        "entrypoint" in given.names for given in engine
-    )  # then the command is its arguments, which may be empty
-    for word, what in zip(rest, ("image",) if program else ("image", "command"), strict=False):
+    has_program = any(
+        "entrypoint" in option.names for option in engine
+    )  # the command is its arguments, also empty ones
+    for word, part in zip(rest, ("image",) if has_program else ("image", "command"), strict=False):
         if not word:
-            remedy = f"leave it out, or look at the variable that should hold the {what}"
-            raise RosmlError(f"the {what} is an empty word", remedy, exit_code=2)
+            remedy = f"leave it out, or look at the variable that should hold the {part}"
+            raise RosmlError(f"the {part} is an empty word", remedy, exit_code=2)
     if image.startswith("-"):  # after `--`; the engine would take it for an option
         remedy = "rosml run IMAGE" if image == "-" else "write an image after --"
         raise RosmlError(f"{image!r} is no name of an image", remedy, exit_code=2)
     if "<registry>" in image:
         text = f"{image}: <registry> stands for the place that has the images"
         raise RosmlError(text, "write an image that you have, such as ghcr.io/me/rosml/ros:jazzy-base", exit_code=2)
-    return Line(tuple(own), tuple(engine), image, tuple(rest[1:]))
+    return Line(tuple(rosml_words), tuple(engine), image, tuple(rest[1:]))
 
 
-def _long(word: str, rest: Iterator[str], own: Collection[str]) -> Given:
-    """One option with a long name."""
+def _long(word: str, rest: Iterator[str], rosml_options: Collection[str]) -> TypedOption:
     name, equals, value = word[2:].partition("=")
     if equals and not name:
         raise RosmlError(f"unknown option {word}", "write a name before =", exit_code=2)
     if equals:
-        return Given((word,), (name,), value)
+        return TypedOption((word,), (name,), value)
     if name in table().switches:
-        return Given((word,), (name,))
+        return TypedOption((word,), (name,))
     if name in table().values:
         value = _value(word, rest)
-        return Given((word, value), (name,), value)
-    raise RosmlError(f"unknown option {word}", _remedy(word, own), exit_code=2)
+        return TypedOption((word, value), (name,), value)
+    raise RosmlError(f"unknown option {word}", _remedy(word, rosml_options), exit_code=2)
 
 
-def _remedy(word: str, own: Collection[str]) -> str:
-    """The remedy for an unknown option: a similar name, and the way to write an option of a newer engine."""
+def _remedy(word: str, rosml_options: Collection[str]) -> str:
+    """A similar name, and the way to write an option of a newer engine."""
     if word.removeprefix("--") in NOT_OF_RUN:
         return NOT_OF_RUN[word.removeprefix("--")]
     from difflib import get_close_matches  # only needed when something is wrong
 
-    known = [*(name.removeprefix("--") for name in own), *table().names]
+    names = [*(name.removeprefix("--") for name in rosml_options), *table().names]
     advice = f"{word}=VALUE gives it to docker or podman; for a switch, write {word}=true"
-    meant = get_close_matches(word.removeprefix("--"), known, n=1, cutoff=0.75)
+    meant = get_close_matches(word.removeprefix("--"), names, n=1, cutoff=0.75)
     return f"did you mean --{meant[0]}? {advice}" if meant else advice
 
 
-def _letters(word: str, rest: Iterator[str]) -> Given:
+def _letters(word: str, rest: Iterator[str]) -> TypedOption:
     """Options with one letter; a word may have several: `-it`, `-eA=b`, `-itv /a:/a`."""
     names: list[str] = []
-    left = word[1:]
-    while left:
-        letter, left = left[0], left[1:]
+    letters = word[1:]
+    while letters:
+        letter, letters = letters[0], letters[1:]
         if letter not in table().letters:
             remedy = NOT_OF_RUN.get(letter, "write its long name with its value: --option=VALUE")
             if names == ["publish-all"] and letter.isdigit():
-                remedy = f"did you mean -p {letter}{left}? -P publishes all ports"
+                remedy = f"did you mean -p {letter}{letters}? -P publishes all ports"
             raise RosmlError(f"unknown option -{letter} in {word!r}", remedy, exit_code=2)
         names.append(table().letters[letter])
-        if left.startswith("=") and len(left) > 1:
-            return Given((word,), tuple(names), left[1:])
+        if letters.startswith("=") and len(letters) > 1:
+            return TypedOption((word,), tuple(names), letters[1:])
         if names[-1] in table().values:
-            if left:
-                return Given((word,), tuple(names), left)
+            if letters:
+                return TypedOption((word,), tuple(names), letters)
             value = _value(f"-{letter}", rest)
-            return Given((word, value), tuple(names), value)
-    return Given((word,), tuple(names))
+            return TypedOption((word, value), tuple(names), value)
+    return TypedOption((word,), tuple(names))
 
 
 def _value(option: str, rest: Iterator[str]) -> str:
-    """The word after an option that takes a value."""
     value = next(rest, None)
     if value is None:
         raise RosmlError(f"the option {option} lacks its value", "write the value after it", exit_code=2)

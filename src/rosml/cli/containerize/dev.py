@@ -155,12 +155,12 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
     if not build and (found := _running(program, caller.folder)):
         _enter(program, line, caller, found, key)
         return
-    own = [f"--{name}" for plugin in run.found().plugins for name in plugin.options]
+    own = [f"--{name}" for plugin in run.discovered().plugins for name in plugin.options]
     files = defaults.read(line, own, [f"--{name}" for name in (*run.RESERVED, *RESERVED)], caller.folder)
     defaults.require(replace(line, image=desk.name(place)), files.project)
     record, facts = _image(program, place, values, key, line, build)
     started = files.under(replace(line, image=record.image))
-    _start(replace(started, own=tuple(word for word in started.own if word[2:] not in BUILT_IN)), caller, facts, record)
+    _start(replace(started, rosml=tuple(word for word in started.rosml if word[2:] not in BUILT_IN)), caller, facts, record)
 
 
 def _place(folder: str) -> Path:
@@ -197,10 +197,10 @@ def _values(folder: Path, options: Mapping[str, str]) -> Values:
 def _running(program: str, folder: str) -> Container | None:
     """The container of a folder in which a shell runs; None if there is none."""
     from rosml.run import engine
-    from rosml.run.plugins import concerns
+    from rosml.run.plugins import basic_options
 
     found = [it for it in engine.containers(program, LABEL) if it.state == "running"]
-    return next((it for it in found if it.labels.get(concerns.FOLDER) == folder), None)
+    return next((it for it in found if it.labels.get(basic_options.FOLDER_LABEL) == folder), None)
 
 
 def _enter(program: str, line: words.Line, caller: Person, found: Container, key: str) -> None:
@@ -266,14 +266,14 @@ def _start(line: words.Line, caller: Person, facts: Facts, record: Record) -> No
     from rosml.run import engine
     from rosml.run.context import Context
     from rosml.run.host import host
-    from rosml.run.plugins import concerns
+    from rosml.run.plugins import basic_options
 
     assert facts.image
     if not line.command and caller.terminal and not line.has("name") and not line.asks("no-name"):
-        name = f"{concerns.as_name(Path(caller.folder).name) or 'workspace'}-dev"
+        name = f"{basic_options.as_name(Path(caller.folder).name) or 'workspace'}-dev"
         if engine.container(facts.engine.program, name) is None:
-            line = replace(line, engine=(*line.engine, words.Given(("--name", name), ("name",), name)))
-    line = line if line.has("name") else replace(line, own=(*line.own, "--no-name"))
+            line = replace(line, engine=(*line.engine, words.TypedOption(("--name", name), ("name",), name)))
+    line = line if line.has("name") else replace(line, rosml=(*line.rosml, "--no-name"))
     if not container.only_shown(line):
         desk.prepare(Path(caller.folder))
     context = Context(line, facts.engine, caller, facts.image, host(os.environ))

@@ -45,8 +45,8 @@ def main(context: click.Context, /) -> None:
         container.enter_folder(line, "rosml attach")
         return
     program = engine.program(os.environ)
-    found = engine.container(program, line.image)
-    if found is None:
+    entered = engine.container(program, line.image)
+    if entered is None:
         remedy = f"{program} ps --all lists them; rosml attach . COMMAND runs a command in the container of this folder"
         raise RosmlError(f"no container named {line.image}", remedy)
-    container.enter(program, line, person(os.environ), found)
+    container.enter(program, line, person(os.environ), entered)

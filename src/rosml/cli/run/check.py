@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict
 
 import click
 
@@ -22,40 +21,37 @@ RMWS = "/opt/ros/{}/share/ament_index/resource_index/rmw_typesupport"
 
 
 def show(context: Context, argv: Sequence[str], *, into: bool) -> None:
-    """Prints the findings about the container that a command of the engine would start.
-
-    Args:
-        into: whether we may start a container of the image that lists a folder.
-
-    Raises:
-        RosmlError: the image has no ROS, or the engine does not answer.
-        click.exceptions.Exit: something will not work.
-    """
+    """Prints the findings about the container that a command of the engine would start. Exits with 1 if something will not work. `into`:
+    whether we may start a container of the image that lists a folder."""
     place = places.planned(context, argv)
     if not place.version:
         text = f"--check is about ROS, and {context.line.image} has none: ROS_DISTRO is not in its environment"
         raise RosmlError(text, "an image with ROS; -e ROS_DISTRO=jazzy says what another one has", exit_code=2)
     command, rootless = context.engine.program, context.engine.rootless
-    running = [places.running(found, rootless) for found in engine.running(command)]
-    others = [found for found in running if found.version]
+    running = [places.running(container, rootless) for container in engine.running(command)]
+    others = [place for place in running if place.version]
     distribution = place.environment.get("ROS_DISTRO", "")
-    looked = into and place.version == "2"
-    installed = engine.folder(command, context.line.image, RMWS.format(distribution)) if looked else []
-    found = check.findings(context, place, others, [name for name in installed if name != "rmw_implementation"])
+    lists = into and place.version == "2"
+    installed = engine.folder(command, context.line.image, RMWS.format(distribution)) if lists else []
+    findings = check.findings(context, place, others, [name for name in installed if name != "rmw_implementation"])
     with printing():
         if context.line.asks("json"):
-            terminal.echo(json.dumps([asdict(it) for it in found], indent=2))
+            terminal.echo(json.dumps([*map(_json, findings)], indent=2))
         else:
-            print_findings(found)
-    if any(it.state == check.PROBLEM for it in found):
+            print_findings(findings)
+    if any(finding.state == check.PROBLEM for finding in findings):
         raise click.exceptions.Exit(1)
 
 
-def print_findings(found: Sequence[check.Finding]) -> None:
+def _json(finding: check.Finding) -> dict[str, str]:
+    return {"what": finding.subject, "state": finding.state, "found": finding.fact, "remedy": finding.remedy}
+
+
+def print_findings(findings: Sequence[check.Finding]) -> None:
     """Prints a line for each finding, with its remedy below."""
-    width = max(len(it.what) for it in found)
-    for it in found:
-        state = click.style(f"{it.state:8}", fg=COLOURS[it.state])
-        terminal.echo(f"{state} {it.what:{width}}  {it.found}")
-        if it.remedy:
-            terminal.echo(f"{'':{9 + width}}  {click.style('remedy:', bold=True)} {it.remedy}")
+    width = max(len(finding.subject) for finding in findings)
+    for finding in findings:
+        state = click.style(f"{finding.state:8}", fg=COLOURS[finding.state])
+        terminal.echo(f"{state} {finding.subject:{width}}  {finding.fact}")
+        if finding.remedy:
+            terminal.echo(f"{'':{9 + width}}  {click.style('remedy:', bold=True)} {finding.remedy}")

@@ -41,24 +41,20 @@ class Words(Command):
             return super().parse_args(ctx, self.for_click(ctx, args))
 
     def for_click(self, ctx: click.Context, args: Sequence[str]) -> list[str]:
-        """The words that click reads. Puts the whole line into the context.
-
-        Raises:
-            RosmlError: an option of the engine is unknown, or lacks its value; never while a shell completes a word.
-        """
+        """The words that click reads. Puts the whole line into the context. A shell that completes a word gets no error."""
         if [*args] == ["-h"]:  # of the engines, it needs a value
             return ["--help"]
         options = [option for option in self.get_params(ctx) if isinstance(option, click.Option)]
-        own = [name for option in options for name in option.opts]
+        own_names = [name for option in options for name in option.opts]
         with_value = [name for option in options if not option.is_flag for name in option.opts]
         try:
-            line = words.split(args, own, with_value)
+            line = words.split(args, own_names, with_value)
         except RosmlError:
             if not ctx.resilient_parsing:
                 raise
             return [*args]
         ctx.meta[LINE] = line
-        return [*line.own, *([line.image, *line.command] if line.image else [])]
+        return [*line.rosml, *([line.image, *line.command] if line.image else [])]
 
 
 def showing(main: Callable[..., None]) -> Callable[..., None]:
@@ -79,15 +75,11 @@ SHOW = ("--dry-run", "--json", "--check", "--export")
 
 def only_shown(line: words.Line) -> bool:
     """Whether the call only shows something."""
-    return any(word.partition("=")[0] in SHOW for word in line.own)
+    return any(word.partition("=")[0] in SHOW for word in line.rosml)
 
 
 def perform(line: words.Line, argv: Sequence[str], begin: Callable[[], object] | None = None) -> None:
-    """Shows the engine's command, or becomes it.
-
-    Args:
-        begin: called before it becomes the engine.
-    """
+    """Shows the engine's command, or calls `begin` and becomes the engine."""
     if line.asks("json"):
         with printing():
             terminal.echo(json.dumps(argv))
@@ -118,11 +110,7 @@ def _quoted(word: str) -> str:
 
 @contextlib.contextmanager
 def printing() -> Iterator[None]:
-    """For output only: its reader may stop early.
-
-    Raises:
-        RosmlError: the output cannot be written.
-    """
+    """For output only: its reader may stop early."""
     try:
         yield
     except OSError as error:
@@ -142,14 +130,7 @@ def become(argv: Sequence[str]) -> NoReturn:
 
 
 def enter(program: str, line: words.Line, caller: Person, container: Container) -> None:
-    """Enters a container, or shows how. If the container has stopped, starts it first.
-
-    Args:
-        program: the engine's command.
-
-    Raises:
-        RosmlError: the container cannot be entered.
-    """
+    """Enters a container, or shows how. If the container has stopped, starts it first. `program` is the engine's command."""
     from rosml.run import attach, engine
 
     attach.check_state(program, container)
@@ -179,18 +160,11 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
 
 
 def enter_folder(line: words.Line, command: str) -> None:
-    """Enters the container of the current folder.
-
-    Args:
-        command: the call, for messages.
-
-    Raises:
-        RosmlError: the folder has no container or several, or it cannot be entered.
-    """
+    """Enters the container of the current folder. `command` is the call, for messages."""
     from rosml.run import attach, engine
     from rosml.run.person import person
-    from rosml.run.plugins import concerns
+    from rosml.run.plugins.basic_options import FOLDER_LABEL
 
     program, caller = engine.program(os.environ), person(os.environ)
-    found = engine.containers(program, concerns.FOLDER)
-    enter(program, line, caller, attach.of_folder(found, caller.folder, command))
+    containers = engine.containers(program, FOLDER_LABEL)
+    enter(program, line, caller, attach.of_folder(containers, caller.folder, command))

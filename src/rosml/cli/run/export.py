@@ -13,9 +13,8 @@ from rosml.cli.run import container
 from rosml.run.context import Context
 from rosml.run.defaults import shown
 from rosml.run.exports import compose, compose_file, devcontainer, kubernetes, quadlet
-from rosml.run.exports import description as export
-from rosml.run.exports.description import Call
-from rosml.run.plugins.apply import Plan
+from rosml.run.exports.description import Call, describe, lacking_command, lasting
+from rosml.run.plan import Plan
 
 
 @dataclass(frozen=True)
@@ -24,7 +23,6 @@ class Kind:
 
     Attributes:
         seen: the context there, such as of a machine on which nobody logs in.
-        text: the file.
         settled: the context once we know whether the image may start as root.
         service: it starts without a terminal.
     """
@@ -36,7 +34,7 @@ class Kind:
 
 
 KINDS = {
-    "devcontainer": Kind(export.lasting, devcontainer.text, devcontainer.bare),
+    "devcontainer": Kind(lasting, devcontainer.text, devcontainer.bare),
     "compose": Kind(compose.portable, compose.text),
     "quadlet": Kind(quadlet.service, quadlet.text, service=True),
     "kubernetes": Kind(kubernetes.cluster, kubernetes.text, service=True),
@@ -44,35 +42,27 @@ KINDS = {
 
 
 def write(context: Context, planned: Callable[[Context], Plan], kind: str, add: str | None) -> None:
-    """Prints a file, or adds the service to one.
-
-    Args:
-        context: as `Kind.seen` has it, with the user's trust.
-        planned: gives the plan of the plugins.
-        add: the file of compose to which the service is added.
-
-    Raises:
-        RosmlError: such a file cannot express the call, or the file to which it is added has something else.
-    """
+    """Prints a file, or adds the service to the file of compose `add`. `context` is as `Kind.seen` has it, with the user's trust, and
+    `planned` gives the plan of the plugins."""
     form = KINDS[kind]
     context = form.settled(context)
     plan = planned(context)
-    for made in plan.files:
-        command.warn(f"the export does not make {made}", "rosml run makes it whenever it starts a container")
+    for file in plan.files:
+        command.warn(f"the export does not make {file}", "rosml run makes it whenever it starts a container")
     place = os.path.dirname(os.path.abspath(add)) if add is not None else ""
-    call = export.call(context, plan.argv, place)
+    call = describe(context, plan.argv, place)
     if form.service:
         missing = [folder for folder in plan.folders if not context.host.has(folder)]
         notes = [
             (f"{shown(folder)} is missing here, and podman makes no folder", f"mkdir -p {container.shown([folder])}")
             for folder in missing
         ]
-        for text, remedy in (*export.lacking_command(call), *notes):
+        for text, remedy in (*lacking_command(call), *notes):
             command.warn(text, remedy)
     if add is not None:
-        said = compose_file.add(Path(add), call)
-        terminal.echo(said, err=True)
+        message = compose_file.add(Path(add), call)
+        terminal.echo(message, err=True)
         return
-    found = form.text(call)
+    document = form.text(call)
     with container.printing():
-        terminal.echo(found, nl=False)
+        terminal.echo(document, nl=False)

@@ -18,11 +18,8 @@ def possible() -> bool:
 
 
 def agreed(*lines: str) -> bool:
-    """Asks, and waits for the answer. Anything but `y` and `yes` is a no. What was typed before the question is no answer to it.
-
-    Args:
-        lines: the text; its last line is the question.
-    """
+    """Asks, and waits for the answer. Anything but `y` and `yes` is a no. What was typed before the question is no answer to it. The last
+    line is the question."""
     terminal.echo("\n".join(lines), err=True, nl=False)
     drop_typed()
     terminal.echo(" [y/N] ", err=True, nl=False)

@@ -14,14 +14,15 @@ from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.run import container, defaults, trust
-from rosml.run import words
 from rosml.run.context import Context, Person
 from rosml.run.defaults import HERE, Files
+from rosml.run.plan import Plan, make_plan
 from rosml.run.plugin import Plugin
-from rosml.run.plugins import apply as plugins
+from rosml.run.plugins.discovery import Discovery, discover
+from rosml.run.words import Line
 
 if TYPE_CHECKING:
-    from rosml.run import engine
+    from rosml.run.engine import Facts
 
 RESERVED = ("new", "no-defaults", trust.OPTION, "check", "verbose", "dry-run", "json", "export", "add", "help")
 """The command's own options: no plugin may have one of these names, and no file with defaults may set one."""
@@ -31,9 +32,9 @@ IMAGE = 'write image = "…" into .rosml.toml'
 
 
 @cache
-def found() -> plugins.Found:
+def discovered() -> Discovery:
     """The plugins, searched once."""
-    return plugins.found(RESERVED)
+    return discover(RESERVED)
 
 
 class Run(container.Words):
@@ -42,7 +43,7 @@ class Run(container.Words):
     def get_params(self, ctx: click.Context) -> list[click.Parameter]:
         """The command's own options, with those of the plugins after the first."""
         first, *others = super().get_params(ctx)
-        options = {name: text for plugin in found().plugins for name, text in plugin.options.items()}
+        options = {name: text for plugin in discovered().plugins for name, text in plugin.options.items()}
         added = (click.Option([f"--{x}"], is_flag=True, expose_value=False, help=options[x]) for x in options)
         return [first, *added, *others]
 
@@ -117,25 +118,16 @@ def main(context: click.Context, /, export: str | None, add: str | None) -> None
     from rosml.run import attach, engine
     from rosml.run.person import person
 
-    line: words.Line = context.meta[container.LINE]
-    own, reserved = [f"--{name}" for plugin in found().plugins for name in plugin.options], [f"--{x}" for x in RESERVED]
-    if line.late([*own, *reserved]):
-        text = f"{line.command[0]} is the command in the container, since it stands after the image"
-        command.warn(text, f"options come first: rosml run {line.command[0]} … {line.image}")
-    user = line.value("user")
-    if user.startswith("--") or "/" in user:  # rocker's --user takes no value
-        remedy = "leave --user out: you are you in the container"
-        raise RosmlError(f"--user takes a user, and {user} is none", remedy, exit_code=2)
+    line: Line = context.meta[container.LINE]
+    plugin_options = [f"--{name}" for plugin in discovered().plugins for name in plugin.options]
+    reserved = [f"--{name}" for name in RESERVED]
+    _check_words(line, [*plugin_options, *reserved])
     caller = person(os.environ)
-    files = defaults.read(line, own, reserved, caller.folder)
+    files = defaults.read(line, plugin_options, reserved, caller.folder)
     image = files.under(line).image
-    if line.image == HERE and not image:
-        raise RosmlError("no file names the image of this folder", f"rosml run IMAGE, or {IMAGE}", exit_code=2)
-    asked = next((x for x in ("new", "check") if line.asks(x)), f"export {export}" if export else "")
-    if asked and not image:
-        text = f"--{asked.partition(' ')[0]} needs an image, and none is named"
-        raise RosmlError(text, f"rosml run --{asked} IMAGE, or {IMAGE}", exit_code=2)
-    if not line.image and not asked:
+    purpose = next((name for name in ("new", "check") if line.asks(name)), f"export {export}" if export else "")
+    _require_image(line, image, purpose)
+    if not line.image and not purpose:
         try:
             enter(line, image)
             return
@@ -146,73 +138,73 @@ def main(context: click.Context, /, export: str | None, add: str | None) -> None
         raise RosmlError("--add goes with --export compose", "write both, or leave out --add", exit_code=2)
     program = engine.program(os.environ)
     if export:
-        exported(program, line, caller, files, export, add)
+        export_call(program, line, caller, files, export, add)
     elif line.asks("check"):
         check_ros(program, line, caller, files)
     else:
         start(program, line, caller, files)
 
 
-def enter(line: words.Line, image: str) -> None:
-    """Enters the container of the current folder, as no image is typed. An option may have taken the image as its value.
+def _check_words(line: Line, own_options: list[str]) -> None:
+    if line.late(own_options):
+        text = f"{line.command[0]} is the command in the container, since it stands after the image"
+        command.warn(text, f"options come first: rosml run {line.command[0]} … {line.image}")
+    user = line.value("user")
+    if user.startswith("--") or "/" in user:  # rocker's --user takes no value
+        remedy = "leave --user out: you are you in the container"
+        raise RosmlError(f"--user takes a user, and {user} is none", remedy, exit_code=2)
 
-    Args:
-        image: the image that the files with defaults name; empty if they name none.
 
-    Raises:
-        RosmlError: the folder has no container or several, or it cannot be entered.
-    """
+def _require_image(line: Line, image: str, purpose: str) -> None:
+    if line.image == HERE and not image:
+        raise RosmlError("no file names the image of this folder", f"rosml run IMAGE, or {IMAGE}", exit_code=2)
+    if purpose and not image:
+        text = f"--{purpose.partition(' ')[0]} needs an image, and none is named"
+        raise RosmlError(text, f"rosml run --{purpose} IMAGE, or {IMAGE}", exit_code=2)
+
+
+def enter(line: Line, image: str) -> None:
+    """Enters the container of the current folder, as no image is typed. An option may have taken the image as its value. `image` is
+    that of the files with defaults."""
     from rosml.run import attach
 
     remedy = "write the image after it: rosml run … IMAGE"
-    if line.taken and not image and not set(line.engine[-1].names) <= attach.PASSED:
+    if line.taken_word and not image and not set(line.engine[-1].names) <= attach.PASSED:
         if line.engine[-1].names[-1] == "name":  # docker-run enters a container so
             remedy += f"; to enter a container that is there: rosml attach {line.engine[-1].value}"
-        raise RosmlError(f"no image is named: {line.taken}", remedy, exit_code=2)
+        raise RosmlError(f"no image is named: {line.taken_word}", remedy, exit_code=2)
     try:
         container.enter_folder(line, "rosml run without an image")
     except RosmlError as error:
-        if line.taken and error.exit_code == 2:
-            error.remedy += f"; {line.taken}: if it is the image, {remedy}"
+        if line.taken_word and error.exit_code == 2:
+            error.remedy += f"; {line.taken_word}: if it is the image, {remedy}"
         raise
 
 
-def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
+def start(program: str, typed: Line, caller: Person, files: Files) -> None:
     """Starts an image, or shows how. If the image is missing, it is pulled, unless the command is only shown. If it runs for
-    this folder already, enters that container.
-
-    Args:
-        program: the engine's command.
-        line: the command line as typed.
-        files: the files with defaults. A container that runs has their options already.
-
-    Raises:
-        RosmlError: there is no such image, or another container has the name, or the image has no workspace, or a file of
-            defaults wants what is not allowed.
-    """
+    this folder already, enters that container, which has the options of the files already."""
     from rosml.run import attach, engine
     from rosml.run.host import host
-    from rosml.run.plugins import concerns
+    from rosml.run.plugins.basic_options import name_of
 
-    if line.asks("verbose"):
-        for text in files.said(line):
+    if typed.asks("verbose"):
+        for text in files.summary(typed):
             terminal.echo(text, err=True)
-    typed, line = line, files.under(line)
-    named = line.image
-    name = "" if line.has("replace") else concerns.name_of(line, caller)
-    facts = engine.ask(program, line.image, name)
-    line, facts = of_machine(program, line, caller, facts, name)
-    if facts.taken:
-        attach.check_same(program, line, caller, facts.taken, facts.image)
-        container.enter(program, typed, caller, facts.taken)
+    line = files.under(typed)
+    image, name = line.image, "" if line.has("replace") else name_of(line, caller)
+    line, facts = _with_variant(program, line, caller, name)
+    if facts.container:
+        attach.check_same(program, line, caller, facts.container, facts.image)
+        container.enter(program, typed, caller, facts.container)
         return
     defaults.require(typed, files.project)
     if facts.image is None and container.only_shown(line):
         raise engine.lacking(program, line.image)
-    if facts.image is None and line.image == named:
+    if facts.image is None and line.image == image:
         engine.pull(program, line)
-        line, facts = of_machine(program, line, caller, engine.ask(program, line.image, ""), "")
-    if facts.image is None and line.image != named:
+        line, facts = _with_variant(program, line, caller)
+    if facts.image is None and line.image != image:
         engine.pull(program, line)
         facts = engine.ask(program, line.image, "")
     if facts.image is None:
@@ -221,14 +213,7 @@ def start(program: str, line: words.Line, caller: Person, files: Files) -> None:
 
 
 def begin(context: Context, *more: Plugin) -> None:
-    """Starts a container, or shows how.
-
-    Args:
-        more: plugins of the caller, after all others.
-
-    Raises:
-        RosmlError: a plugin cannot do what the user asks for.
-    """
+    """Starts a container, or shows how. `more` are plugins of the caller, after all others."""
     from rosml.run.host import write
 
     plan, machine = planned(trust.settled(context), *more), context.host
@@ -244,100 +229,72 @@ def begin(context: Context, *more: Plugin) -> None:
     container.perform(context.line, plan.argv, prepare)
 
 
-def of_machine(
-    program: str, line: words.Line, caller: Person, facts: engine.Facts, name: str, elsewhere: bool = False
-) -> tuple[words.Line, engine.Facts]:
-    """The command line with the image for a machine, if the named one is there for several accelerators, and the facts about it.
+def _with_variant(
+    program: str, line: Line, caller: Person, name: str = "", elsewhere: bool = False
+) -> tuple[Line, Facts]:
+    """The command line with the image for a machine, if the typed one exists for several accelerators, and the facts about it.
 
     Args:
-        facts: about the named image.
         name: the wanted name of a container, or an empty text.
         elsewhere: it is for another machine than this one.
     """
     from rosml.run import engine, variants
     from rosml.run.host import host
 
+    facts = engine.ask(program, line.image, name)
     if facts.image is None or variants.LABEL not in facts.image.labels:
         return line, facts
     context = Context(line, facts.engine, caller, facts.image, host(os.environ))
-    other = variants.asked(context) if elsewhere else variants.chosen(context)
-    if not other:
+    variant = variants.for_another_machine(context) if elsewhere else variants.for_this_machine(context)
+    if not variant:
         return line, facts
     why = "what the call asks for" if elsewhere else "this machine"
-    terminal.echo(f"rosml: {line.image} is there for several accelerators; {other} is the one for {why}", err=True)
-    line = replace(line, image=other)
-    return line, engine.ask(program, other, name)
+    terminal.echo(f"rosml: {line.image} is there for several accelerators; {variant} is the one for {why}", err=True)
+    return replace(line, image=variant), engine.ask(program, variant, name)
 
 
-def planned(context: Context, *more: Plugin) -> plugins.Plan:
+def planned(context: Context, *more: Plugin) -> Plan:
     """The plan of all plugins, and of those of the caller. Prints their warnings."""
-    plan = plugins.plan(context, (*found().plugins, *more))
-    for text, remedy in (*found().notes, *plan.notes):
+    plan = make_plan(context, (*discovered().plugins, *more))
+    for text, remedy in (*discovered().notes, *plan.notes):
         command.warn(text, remedy)
     return plan
 
 
-def looked_at(program: str, line: words.Line, caller: Person, elsewhere: bool = False) -> Context:
-    """The context of an image that is not started.
-
-    Args:
-        program: the engine's command.
-        elsewhere: it will start on another machine.
-
-    Raises:
-        RosmlError: the engine does not have the image.
-    """
+def _context(program: str, line: Line, caller: Person, elsewhere: bool = False) -> Context:
+    """The context of an image that the engine must have, as it is not started. `elsewhere`: it will start on another machine."""
     from rosml.run import engine
     from rosml.run.host import host
 
-    line, facts = of_machine(program, line, caller, engine.ask(program, line.image, ""), "", elsewhere)
+    line, facts = _with_variant(program, line, caller, elsewhere=elsewhere)
     if facts.image is None:
         raise engine.lacking(program, line.image)
     return Context(line, facts.engine, caller, facts.image, host(os.environ))
 
 
-def check_ros(program: str, line: words.Line, caller: Person, files: Files) -> None:
+def check_ros(program: str, line: Line, caller: Person, files: Files) -> None:
     """Shows what ROS in a container of the image depends on. If a project's file names the image, we look into it only after
-    the user allows that.
-
-    Args:
-        program, line, files: as in `start`.
-
-    Raises:
-        RosmlError: the engine does not have the image, or it has no ROS.
-    """
+    the user allows that."""
     from rosml.cli.run import check
 
-    context = looked_at(program, files.under(line), caller)
+    context = _context(program, files.under(line), caller)
     allowed = defaults.require(line, files.project)
     context, typed = trust.settled(context), line.image not in ("", HERE)
-    check.show(context, plugins.plan(context, found().plugins).argv, into=typed or allowed)
+    check.show(context, make_plan(context, discovered().plugins).argv, into=typed or allowed)
 
 
-def exported(program: str, line: words.Line, caller: Person, files: Files, kind: str, add: str | None) -> None:
-    """Shows what would run, as a file; or adds it to one.
-
-    Args:
-        program, line, files: as in `start`.
-        kind: the kind of file.
-        add: the file to which the service is added.
-
-    Raises:
-        RosmlError: the engine does not have the image, or such a file cannot express the call, or another option shows
-            something else.
-    """
+def export_call(program: str, line: Line, caller: Person, files: Files, kind: str, add: str | None) -> None:
+    """Shows what would run, as a file of this kind; or adds it to the file `add`."""
     from rosml.cli.run import export
     from rosml.run.plugins import gpu
 
-    if other := next((x for x in ("check", "dry-run", "json") if line.asks(x)), ""):
+    if other := next((name for name in ("check", "dry-run", "json") if line.asks(name)), ""):
         raise RosmlError(f"--export does not go with --{other}", "leave out one of them", exit_code=2)
     whole = files.under(line)
     if kind == "devcontainer":
         whole = replace(whole, command=line.command)  # an editor has its own instead of a default
     # A file of compose is for this machine, unless it asks for other GPUs.
     elsewhere = kind in ("quadlet", "kubernetes") or (kind == "compose" and gpu.is_theirs(whole))
-    context = looked_at(program, whole, caller, elsewhere)
-    context = export.KINDS[kind].seen(context)
+    context = export.KINDS[kind].seen(_context(program, whole, caller, elsewhere))
     defaults.require(line, files.project)
-    context = trust.settled(context)
-    export.write(context, planned, kind, add)
+    export.write(trust.settled(context), planned, kind, add)

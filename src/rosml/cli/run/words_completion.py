@@ -19,20 +19,16 @@ ENTERS = "attach"
 
 
 def items(command: click.Command, args: Sequence[str], incomplete: str) -> list[CompletionItem[str]]:
-    """The completions of the last word of a command line; none if the words before it are wrong.
-
-    Args:
-        args: the words before it, without `rosml run`.
-    """
+    """The completions of the last word after `args`; none if the words before it are wrong."""
     context = click.Context(command)
-    own = {x.opts[0]: x for x in command.get_params(context) if isinstance(x, click.Option)}
-    with_value = {name: option for name, option in own.items() if not option.is_flag}
+    options = {x.opts[0]: x for x in command.get_params(context) if isinstance(x, click.Option)}
+    with_value = {name: option for name, option in options.items() if not option.is_flag}
     try:
-        line = words.split(args, own, with_value)
+        line = words.split(args, options, with_value)
     except RosmlError:
         if option := with_value.get(args[-1]):
             return option.shell_complete(context, incomplete)
-        return _value(_waiting(args, own), incomplete)
+        return _value(_waiting(args, options), incomplete)
     if line.image:
         return _file(incomplete)
     if incomplete.startswith("--") and "=" in incomplete:
@@ -41,16 +37,18 @@ def items(command: click.Command, args: Sequence[str], incomplete: str) -> list[
             return [CompletionItem(f"{name}={x.value}") for x in option.shell_complete(context, value)]
         return _value(name.removeprefix("--"), value)
     if incomplete.startswith("-"):
-        theirs = attach.PASSED if command.name == ENTERS else words.table().names
-        known = {name: option.help for name, option in own.items()} | {f"--{name}": None for name in sorted(theirs)}
-        return [CompletionItem(name, help=text) for name, text in known.items() if name.startswith(incomplete)]
-    return [CompletionItem(name) for name in _named(command.name == ENTERS) if name.startswith(incomplete)]
+        engine_names = attach.PASSED if command.name == ENTERS else words.table().names
+        helps = {name: option.help for name, option in options.items()} | {
+            f"--{name}": None for name in sorted(engine_names)
+        }
+        return [CompletionItem(name, help=text) for name, text in helps.items() if name.startswith(incomplete)]
+    return [CompletionItem(name) for name in _engine_names(command.name == ENTERS) if name.startswith(incomplete)]
 
 
-def _waiting(args: Sequence[str], own: Collection[str]) -> str:
+def _waiting(args: Sequence[str], options: Collection[str]) -> str:
     """The option of the engine that waits for its value; empty if none does."""
     try:
-        return words.split([*args, "value"], own).engine[-1].names[-1]
+        return words.split([*args, "value"], options).engine[-1].names[-1]
     except RosmlError:
         return ""
 
@@ -64,7 +62,7 @@ def _file(incomplete: str) -> list[CompletionItem[str]]:
     return [CompletionItem(incomplete, type="file")]
 
 
-def _named(containers: bool) -> list[str]:
+def _engine_names(containers: bool) -> list[str]:
     """The engine's containers or images; none if there is no engine, or it takes long."""
     try:
         program = engine.program(os.environ)

@@ -19,11 +19,10 @@ from rosml.run.exports.description import (
     file,
     gpus,
     lasting,
-    merged,
-    nested,
     placed,
     volume,
 )
+from rosml.run.exports.yaml_text import merged, nested
 
 SAME = (
     *("annotation", "cpus", "domainname", "expose", "hostname", "ipc", "isolation", "pid", "platform"),
@@ -82,7 +81,7 @@ SWITCHES = (
     *("init", "interactive", "no-healthcheck", "oom-kill-disable", "privileged", "read-only", "tty", "use-api-socket"),
 )
 
-TAKEN = {"cgroupns": ("host", "private"), "pull": ("always", "missing", "never")}
+ACCEPTED = {"cgroupns": ("host", "private"), "pull": ("always", "missing", "never")}
 """The values that compose takes; podman has others."""
 
 MOUNT = {
@@ -100,30 +99,17 @@ MOUNT = {
 
 
 def portable(context: Context) -> Context:
-    """The context of a file of compose, which has no word for podman's entry in /etc/passwd.
-
-    Raises:
-        RosmlError: as in `lasting`.
-    """
-    found = lasting(context)
-    return replace(found, engine=replace(found.engine, passwd=False))
+    """The context of a file of compose, which has no word for podman's entry in /etc/passwd."""
+    lasting_context = lasting(context)
+    return replace(lasting_context, engine=replace(lasting_context.engine, passwd=False))
 
 
 def text(call: Call) -> str:
-    """The file.
-
-    Raises:
-        RosmlError: an option has no counterpart.
-    """
     return yaml_text.text(escaped(content(call)))
 
 
 def content(call: Call) -> dict[str, Any]:
-    """The content of the file, in which compose still reads `$` as the beginning of a variable.
-
-    Raises:
-        RosmlError: an option has no counterpart.
-    """
+    """The content of the file, in which compose still reads `$` as the beginning of a variable."""
     service: Any = reduce(merged, (_part(option, call) for option in call.options), {"image": call.image})
     if "entrypoint" in service:
         service["entrypoint"] = [service["entrypoint"]]  # the engines take one word
@@ -132,34 +118,26 @@ def content(call: Call) -> dict[str, Any]:
     networks = {name: {"name": name, "external": True} for name in service.get("networks", ())}
     volumes = {name: {"name": name} for name in map(_volume_of, service.get("volumes", ())) if name}
     others = {"networks": networks, "volumes": volumes}
-    return {"services": {call.name: service}, **{key: found for key, found in others.items() if found}}
-
-
-# ---- An option -------------------------------------------------------------------------------------------------------
+    return {"services": {call.name: service}, **{key: part for key, part in others.items() if part}}
 
 
 def _part(option: Option, call: Call) -> dict[str, Any]:
-    """The fields that an option adds to a service.
-
-    Raises:
-        RosmlError: the option has no counterpart.
-    """
+    """The fields that an option adds to a service."""
     name, value = option.name, option.value or ""
-    if name in MADE:
-        return MADE[name](option, call)
-    if name not in NAMES or value not in TAKEN.get(name, (value,)):
+    if name in WRITERS:
+        return WRITERS[name](option, call)
+    if name not in NAMES or value not in ACCEPTED.get(name, (value,)):
         raise _without(option, f"--{name}" if name not in NAMES else f"--{name}={value}")
-    found: Any = value
+    written: Any = value
     if name in SWITCHES:
-        found = option.is_on
+        written = option.is_on
     elif name in LISTS:
-        found = [value]
+        written = [value]
     elif name in PAIRS:
-        key, equals, said = value.partition("=")
-        found = {
-            key: None if name == "env" and not equals else said
-        }  # None: from the environment of the user who starts it
-    return nested(NAMES[name], found)
+        key, equals, text = value.partition("=")
+        # None: from the environment of the user who starts it.
+        written = {key: None if name == "env" and not equals else text}
+    return nested(NAMES[name], written)
 
 
 def _without(option: Option, what: str) -> RosmlError:
@@ -185,12 +163,12 @@ def _mount(option: Option, call: Call) -> dict[str, Any]:
     for key, value in fields(option):
         if key not in MOUNT:
             raise _without(option, f"{key} of --mount")
-        found: Any = value
+        written: Any = value
         if key in ("readonly", "volume-nocopy"):
-            found = Option(key, value or None).is_on
+            written = Option(key, value or None).is_on
         elif key == "tmpfs-mode":
-            found = _octal(value)
-        mount = merged(mount, nested(MOUNT[key], found))
+            written = _octal(value)
+        mount = merged(mount, nested(MOUNT[key], written))
     if mount["type"] == "bind":
         mount = merged(mount, {"bind": {"create_host_path": False}})
         mount["source"] = placed(mount.get("source", ""), call, ".")
@@ -203,16 +181,13 @@ def _octal(mode: str) -> int | str:
 
 
 def _gpus(option: Option, call: Call) -> dict[str, Any]:
-    """GPUs: `all`, `2`, `device=0`, `"device=0,1"`, or other fields."""
-    found = gpus(option)
-    device: dict[str, Any] = {
-        "driver": found.driver or "nvidia",
-        "capabilities": [*dict.fromkeys(("gpu", *found.capabilities))],
-    }
-    if found.count:
-        device["count"] = int(found.count) if COUNT.fullmatch(found.count) else found.count
-    if found.ids:
-        device["device_ids"] = [*found.ids]
+    requested = gpus(option)
+    capabilities = [*dict.fromkeys(("gpu", *requested.capabilities))]
+    device: dict[str, Any] = {"driver": requested.driver or "nvidia", "capabilities": capabilities}
+    if requested.count:
+        device["count"] = int(requested.count) if COUNT.fullmatch(requested.count) else requested.count
+    if requested.ids:
+        device["device_ids"] = [*requested.ids]
     return nested("deploy.resources.reservations.devices", [device])
 
 
@@ -222,15 +197,15 @@ def _ulimit(option: Option, call: Call) -> dict[str, Any]:
     return {"ulimits": {name: {"soft": _number(soft), "hard": _number(hard)} if colon else _number(soft)}}
 
 
-def _number(found: str) -> int | str:
-    return int(found) if NUMBER.fullmatch(found) else found
+def _number(text: str) -> int | str:
+    return int(text) if NUMBER.fullmatch(text) else text
 
 
 NUMBER = re.compile("-?[0-9]{1,18}")
 """Values that become numbers. All others stay text."""
 
 
-MADE: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
+WRITERS: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
     "env-file": lambda option, call: {"env_file": [{"path": file(option, call, "."), "format": "raw"}]},
     "gpus": _gpus,
     "label-file": lambda option, call: {"label_file": [file(option, call, ".")]},
@@ -243,8 +218,6 @@ MADE: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
 }
 """Options with a form of their own in compose."""
 
-# ---- The file --------------------------------------------------------------------------------------------------------
-
 
 def _volume_of(mount: str | Mapping[str, Any]) -> str:
     """The name of a mounted volume; empty if it is a folder, or has no name."""
@@ -254,10 +227,10 @@ def _volume_of(mount: str | Mapping[str, Any]) -> str:
     return source if colon and "/" not in source and source != "." else ""
 
 
-def escaped(found: Any) -> Any:
+def escaped(content: Any) -> Any:
     """The same with each `$` twice: compose takes one for a variable."""
-    if isinstance(found, dict):
-        return {key: escaped(value) for key, value in found.items()}
-    if isinstance(found, list):
-        return [*map(escaped, found)]
-    return found.replace("$", "$$") if isinstance(found, str) else found
+    if isinstance(content, dict):
+        return {key: escaped(value) for key, value in content.items()}
+    if isinstance(content, list):
+        return [*map(escaped, content)]
+    return content.replace("$", "$$") if isinstance(content, str) else content

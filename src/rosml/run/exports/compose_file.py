@@ -1,4 +1,4 @@
-"""Adds a service to a file of compose. Everything that is there stays as it is, byte for byte."""
+"""Adds a service to a file of compose. The rest of the file stays as it is, byte for byte."""
 
 from __future__ import annotations
 
@@ -31,7 +31,6 @@ class Edit:
 
     Attributes:
         line: the number of the line before which it stands.
-        text: what is added.
         event, replaced: where its own events stand among those of the file, and how many they replace.
         events: its own events.
     """
@@ -44,12 +43,7 @@ class Edit:
 
 
 def add(file: Path, call: Call) -> str:
-    """Adds the service of a call to a file, at once. Returns what was done, for the user.
-
-    Raises:
-        RosmlError: the file is missing, a link, or no file of compose; it has something else by one of the names, or is written
-            so that nothing can be added; or the call has no counterpart in compose.
-    """
+    """Adds the service of a call to a file, at once. Returns a message for the user."""
     before = _read(file)
     after = added(before, compose.escaped(compose.content(call)), str(file))
     if after == before:
@@ -59,32 +53,21 @@ def add(file: Path, call: Call) -> str:
 
 
 def _read(file: Path) -> str:
-    """The text of a file, with its own ends of lines.
-
-    Raises:
-        RosmlError: it is missing, a link or no file, too large, or no text.
-    """
-    found = files.regular(file, untrusted.SIZE)
-    if found is None:
+    """The text of a file, with its own ends of lines."""
+    content = files.regular(file, untrusted.SIZE)
+    if content is None:
         raise RosmlError(
             f"{file}: there is no such file", f"make it: rosml run --export compose … >{file}", exit_code=2
         )
     try:
-        return found.decode()
+        return content.decode()
     except UnicodeDecodeError:
         raise RosmlError(f"{file}: it is no text in UTF-8", "write it in UTF-8", exit_code=2) from None
 
 
 def added(text: str, content: Mapping[str, Mapping[str, Any]], what: str) -> str:
-    """A text of compose with more content; the same text if it has all of that.
-
-    Args:
-        content: for each of `SECTIONS`, if it has something, names and what they mean.
-        what: the text's name in messages.
-
-    Raises:
-        RosmlError: as in `add`.
-    """
+    """A text of compose with more content; the same text if it has all of that. `content` has, by the names of `SECTIONS`, names and
+    their values; `what` is the text's name in messages."""
     if len(text) > LARGEST:
         raise RosmlError(f"{what}: has more than {LARGEST >> 10} kB", BY_HAND, exit_code=2)
     events, newline = _events(text, what), "\r\n" if "\r\n" in text else "\n"
@@ -108,28 +91,17 @@ def added(text: str, content: Mapping[str, Mapping[str, Any]], what: str) -> str
 
 
 def _expected(events: Sequence[Any], edits: Sequence[Edit]) -> list[tuple[Any, ...]]:
-    """The events that a text must have once all is added.
-
-    Args:
-        edits: in their order.
-    """
-    found = [*map(_signature, events)]
+    """The events that a text must have once all is added, from edits in their order."""
+    signatures = [*map(_signature, events)]
     for edit in reversed(edits):
-        found[edit.event : edit.event + edit.replaced] = map(_signature, edit.events)
-    return found
-
-
-# ---- Events ----------------------------------------------------------------------------------------------------------
+        signatures[edit.event : edit.event + edit.replaced] = map(_signature, edit.events)
+    return signatures
 
 
 def _events(text: str, what: str) -> list[Any]:
-    """The events of a text; none if it is empty.
-
-    Raises:
-        RosmlError: it is no YAML, has several documents, or is no mapping with a line for each key.
-    """
+    """The events of a text; none if it is empty. It must be a mapping with a line for each key."""
     try:
-        found = [*untrusted.yaml_events(text)]
+        events = [*untrusted.yaml_events(text)]
         untrusted.yaml_node(text)
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
@@ -139,18 +111,18 @@ def _events(text: str, what: str) -> list[Any]:
             else "it has a character that YAML does not allow"
         )
         raise RosmlError(f"{what} is no YAML: {why}", "correct it", exit_code=2) from None
-    starts = [event for event in found if isinstance(event, yaml.DocumentStartEvent)]
+    starts = [event for event in events if isinstance(event, yaml.DocumentStartEvent)]
     if not starts:
         return []
-    top = found[2]
-    odd = any(isinstance(event, yaml.DocumentEndEvent) and event.explicit for event in found)
+    top = events[2]
+    odd = any(isinstance(event, yaml.DocumentEndEvent) and event.explicit for event in events)
     if len(starts) > 1 or odd or not isinstance(top, yaml.MappingStartEvent) or top.flow_style:
         raise RosmlError(f"{what}: it is no file of compose with a line for each key", BY_HAND, exit_code=2)
-    return found
+    return events
 
 
 def _signature(event: Any) -> tuple[Any, ...]:
-    """All that an event says, without its place."""
+    """All of an event but its place."""
     fields = ("anchor", "tag", "implicit", "value", "style", "flow_style", "explicit", "version", "tags")
     return (type(event).__name__, *(getattr(event, name, None) for name in fields))
 
@@ -182,29 +154,22 @@ def _pairs(events: Sequence[Any], start: int) -> dict[str, tuple[int, int]]:
     return {getattr(events[key], "value", ""): (value, after) for key, value, after in _children(events, start)}
 
 
-# ---- A part ----------------------------------------------------------------------------------------------------------
-
-
-def _section(text: str, events: Sequence[Any], name: str, wanted: Mapping[str, Any], what: str) -> list[Edit]:
-    """The additions to a part.
-
-    Raises:
-        RosmlError: as in `add`.
-    """
-    found = _pairs(events, 2).get(name)
-    if found is None:
-        return [_at_the_end(text, events, {name: wanted})]
-    value, after = found
+def _section(text: str, events: Sequence[Any], name: str, additions: Mapping[str, Any], what: str) -> list[Edit]:
+    """The additions to a section of the file."""
+    span = _pairs(events, 2).get(name)
+    if span is None:
+        return [_at_the_end(text, events, {name: additions})]
+    value, after = span
     start = events[value]
     if isinstance(start, yaml.ScalarEvent) and not (start.value or start.style or start.anchor or start.tag):
-        return [_below(start, value, wanted)]
-    there = _pairs(events, value) if isinstance(start, yaml.MappingStartEvent) else {}
-    for key in [key for key in wanted if key in there]:
-        if not _same(text, name, key, wanted[key]):
+        return [_below(start, value, additions)]
+    present = _pairs(events, value) if isinstance(start, yaml.MappingStartEvent) else {}
+    for key in [key for key in additions if key in present]:
+        if not _same(text, name, key, additions[key]):
             kind = name.removesuffix("s")
             remedy = "--name gives the service another name" if name == "services" else f"rename that {kind}"
             raise RosmlError(f"{what} has a {kind} {key} already, with other content", remedy, exit_code=2)
-    missing = {key: value for key, value in wanted.items() if key not in there}
+    missing = {key: value for key, value in additions.items() if key not in present}
     if not missing:
         return []
     if not isinstance(start, yaml.MappingStartEvent) or start.flow_style:
@@ -224,7 +189,7 @@ def _at_the_end(text: str, events: Sequence[Any], content: Mapping[str, Any]) ->
 
 
 def _below(start: Any, value: int, content: Mapping[str, Any]) -> Edit:
-    """An addition to a part that is empty."""
+    """An addition to a section that is empty."""
     return Edit(
         start.end_mark.line + 1,
         _indented(content, 2),
@@ -235,7 +200,7 @@ def _below(start: Any, value: int, content: Mapping[str, Any]) -> Edit:
 
 
 def _last(text: str, events: Sequence[Any], start: int, after: int, content: Mapping[str, Any]) -> Edit:
-    """An addition behind the last of a part, and behind the comments that belong to that."""
+    """An addition behind the last item of a section, and behind the comments that belong to it."""
     column = events[start + 1].start_mark.column
     line = max(_line_after(event) for event in events[start + 1 : after - 1])
     lines = text.splitlines()
@@ -249,7 +214,7 @@ def _last(text: str, events: Sequence[Any], start: int, after: int, content: Map
 
 
 def _line_after(event: Any) -> int:
-    """The line after an event; 0 for the end of a mapping or list with a line for each item, which is told too late."""
+    """The line after an event; 0 for the end of a mapping or list with a line for each item, whose mark comes too late."""
     mark: Any = event.end_mark
     if isinstance(event, yaml.CollectionEndEvent) and getattr(event.start_mark, "index", 0) == mark.index:
         return 0
@@ -265,15 +230,15 @@ def _indented(content: Mapping[str, Any], column: int) -> str:
     return "".join(f"{' ' * column}{line}" for line in yaml_text.text(content).splitlines(keepends=True))
 
 
-def _same(text: str, section: str, key: str, wanted: Any) -> bool:
-    """Whether a part has the wanted content by a name."""
+def _same(text: str, section: str, key: str, content: Any) -> bool:
+    """Whether a section has the same content by a name."""
     top = untrusted.yaml_node(text)
-    there = _value(_value(top, section), key)
-    return there is not None and _alike(there, untrusted.yaml_node(yaml_text.text(wanted)))
+    node = _value(_value(top, section), key)
+    return node is not None and _alike(node, untrusted.yaml_node(yaml_text.text(content)))
 
 
 def _value(node: Any, key: str) -> Any:
-    return next((value for found, value in node.value if found.value == key), None)
+    return next((value for name, value in node.value if name.value == key), None)
 
 
 def _alike(first: Any, second: Any) -> bool:

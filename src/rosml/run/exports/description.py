@@ -1,4 +1,4 @@
-"""A call without its passing parts, for files from which other programs start it."""
+"""The description of a call without its passing parts, from which other programs' files are written."""
 
 from __future__ import annotations
 
@@ -6,13 +6,12 @@ import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.run import attach
 from rosml.run.context import Context, Engine, Image
-from rosml.run.plugins import concerns, sockets
-from rosml.run.words import Given, Line, split
+from rosml.run.plugins import basic_options, sockets
+from rosml.run.words import Line, TypedOption, split
 
 OF_A_CALL = ("attach", "detach", "detach-keys", "quiet", "replace", "rm", "rmi", "sig-proxy")
 """Options about how a single call waits and cleans up. Programs that start the file have their own."""
@@ -23,7 +22,7 @@ SYNONYMS = {"net": "network", "dns-option": "dns-opt"}
 FIELDS = {"src": "source", "dst": "target", "destination": "target", "ro": "readonly"}
 """Fields of `--mount` with several names."""
 
-NAMED = ("annotation", "env", "label")
+WITH_NAME = ("annotation", "env", "label")
 """Options whose value has a name."""
 
 X11 = ("-v", "/tmp/.X11-unix:/tmp/.X11-unix", "-e", "DISPLAY", "-e", "QT_X11_NO_MITSHM=1")
@@ -32,19 +31,13 @@ X11 = ("-v", "/tmp/.X11-unix:/tmp/.X11-unix", "-e", "DISPLAY", "-e", "QT_X11_NO_
 
 @dataclass(frozen=True)
 class Option:
-    """An option of the engine.
-
-    Attributes:
-        name: its long name.
-        value: its value; None if it is a switch.
-    """
+    """An option of the engine by its long name; the value of a switch is None."""
 
     name: str
     value: str | None = None
 
     @property
     def is_on(self) -> bool:
-        """Whether a switch is on."""
         return self.value is None or self.value.lower() in ("1", "t", "true")
 
 
@@ -57,8 +50,6 @@ class Call:
         options: the engine's options. If two set the same thing, the last one counts.
         folder: the current folder.
         place: the folder for which the file is; paths in it are relative there.
-        engine: the engine that would run it.
-        about: the engine's facts about the image.
     """
 
     name: str
@@ -76,34 +67,23 @@ class Call:
 
 
 def lasting(context: Context) -> Context:
-    """The context as on a terminal, without the parts of a session: the cookie of X11, and the socket of ssh's agent.
-
-    Raises:
-        RosmlError: the user asks for ssh's agent.
-    """
+    """The context as on a terminal, without the parts of a session: the cookie of X11, and the socket of ssh's agent."""
     line = context.line
     if line.asks("ssh-agent"):
         text = "--ssh-agent does not go with --export: the agent's socket has another path in each session"
         raise RosmlError(text, "leave it out; editors pass your agent themselves", exit_code=2)
     windows = X11 if _has_windows(context) else ()
-    kept = preceded(replace(line, own=(*line.own, "--no-name", "--no-x11")), *windows)
-    return replace(context, line=kept, person=replace(context.person, terminal=True, reads=True))
+    line_ = preceded(replace(line, rosml=(*line.rosml, "--no-name", "--no-x11")), *windows)
+    return replace(context, line=line_, person=replace(context.person, terminal=True, reads=True))
 
 
 def sessionless(context: Context, kind: str) -> Context:
-    """The context of a service, which starts before anybody logs in: no terminal, no windows, no sockets of a session.
-
-    Args:
-        kind: the kind of file, for messages.
-
-    Raises:
-        RosmlError: the user asks for one of these sockets.
-    """
-    if asked := next((name for name in ("ssh-agent", "sound", "wayland") if context.line.asks(name)), ""):
-        text = f"--{asked} does not go with --export {kind}: its socket is there while you are logged in"
+    """The context of a service, which starts before anybody logs in: no terminal, no windows, no sockets of a session."""
+    if option := next((name for name in ("ssh-agent", "sound", "wayland") if context.line.asks(name)), ""):
+        text = f"--{option} does not go with --export {kind}: its socket is there while you are logged in"
         raise RosmlError(text, "leave it out, or mount a socket that lasts with -v", exit_code=2)
-    own = (*context.line.own, "--no-name", "--no-x11", "--no-it")
-    return replace(context, line=replace(context.line, own=own))
+    rosml_words = (*context.line.rosml, "--no-name", "--no-x11", "--no-it")
+    return replace(context, line=replace(context.line, rosml=rosml_words))
 
 
 def lacking_command(call: Call) -> list[tuple[str, str]]:
@@ -122,86 +102,64 @@ def preceded(line: Line, *words: str) -> Line:
 def _has_windows(context: Context) -> bool:
     """Whether X11 shows windows of this machine. A display of `ssh -X` is gone when the file is used."""
     line, host = context.line, context.host
-    named = sockets.DISPLAY.fullmatch(host.environment.get("DISPLAY", ""))
-    if line.asks("no-x11") or line.sets("DISPLAY") or not context.is_here or not named:
+    display = sockets.DISPLAY.fullmatch(host.environment.get("DISPLAY", ""))
+    if line.asks("no-x11") or line.sets("DISPLAY") or not context.is_here or not display:
         return False
-    return named["machine"] in ("", "unix") and host.has(f"/tmp/.X11-unix/X{named['number']}")
+    return display["machine"] in ("", "unix") and host.has(f"/tmp/.X11-unix/X{display['number']}")
 
 
-def call(context: Context, argv: Sequence[str], place: str = "") -> Call:
-    """The call.
-
-    Args:
-        argv: the engine's command, from the plugins.
-        place: the folder for which the file is; by default the current one.
-
-    Raises:
-        RosmlError: a word of the command is no text, or the engines refuse a name.
-    """
-    odd = next((word for word in argv if not _is_text(word)), None)
-    if odd is not None:
-        raise RosmlError(f"--export: {odd!a} is no text", "write it in UTF-8", exit_code=2)
+def describe(context: Context, argv: Sequence[str], place: str = "") -> Call:
+    """Describes the engine's command. `place` is the folder for which the file is; by default the current one."""
+    for word in argv:
+        try:
+            word.encode()
+        except UnicodeEncodeError:
+            raise RosmlError(f"--export: {word!a} is no text", "write it in UTF-8", exit_code=2) from None
     line = split(argv[2:], ())
-    options = [Option(SYNONYMS.get(name, name), value) for given in line.engine for name, value in _pairs(given)]
-    kept = tuple(option for option in options if option.name not in OF_A_CALL)
+    options = [Option(SYNONYMS.get(name, name), value) for option in line.engine for name, value in _pairs(option)]
+    lasting_options = tuple(option for option in options if option.name not in OF_A_CALL)
     folder = context.person.folder
-    seen = replace(context.person, terminal=True)
-    named = _named(kept)
-    name = named or concerns.name_of(Line((), (), line.image, ()), seen) or "container"
-    return Call(name, kept, line.image, line.command, folder, place or folder, context.engine, context.image)
+    person = replace(context.person, terminal=True)
+    typed_name = _typed_name(lasting_options)
+    name = typed_name or basic_options.name_of(Line((), (), line.image, ()), person) or "container"
+    return Call(name, lasting_options, line.image, line.command, folder, place or folder, context.engine, context.image)
 
 
-def _named(options: Sequence[Option]) -> str:
-    """The value of --name; empty if there is none. The engines look at names before they start anything, so we do as well.
-
-    Raises:
-        RosmlError: it is none, or a variable or a label has no name.
-    """
+def _typed_name(options: Sequence[Option]) -> str:
+    """The value of --name; empty if there is none. The engines look at names before they start anything, so we do as well."""
     name = ""
     for option in options:
         value = option.value or ""
         if option.name == "name":
             name = value
-            if concerns.as_name(value) != value or not value:
+            if basic_options.as_name(value) != value or not value:
                 text, remedy = (
                     f"--name {value!a} is no name of a container",
                     "write letters, digits, and then also _ . -",
                 )
                 raise RosmlError(text, remedy, exit_code=2)
-        elif option.name in NAMED and not value.partition("=")[0]:
+        elif option.name in WITH_NAME and not value.partition("=")[0]:
             raise RosmlError(f"--{option.name} {value!a} has no name", f"write --{option.name} NAME=VALUE", exit_code=2)
     return name
 
 
-def _is_text(word: str) -> bool:
-    try:
-        word.encode()
-    except UnicodeEncodeError:
-        return False
-    return True
-
-
-def _pairs(given: Given) -> list[tuple[str, str | None]]:
+def _pairs(option: TypedOption) -> list[tuple[str, str | None]]:
     """The options in a word, such as `-itv`, each with its value; only the last one can have a value."""
-    *switches, last = given.names
-    return [*((name, None) for name in switches), (last, given.value)]
+    *switches, last = option.names
+    return [*((name, None) for name in switches), (last, option.value)]
 
 
 def fields(option: Option) -> list[tuple[str, str]]:
-    """The fields of a value such as `type=bind,source=/a,target=/b`; a switch among them has an empty value.
-
-    Raises:
-        RosmlError: its quotes do not close.
-    """
+    """The fields of a value such as `type=bind,source=/a,target=/b`; a switch among them has an empty value."""
     import csv  # few values have any
 
     try:
-        (found,) = csv.reader([option.value or ""], strict=True)
+        (row,) = csv.reader([option.value or ""], strict=True)
     except (csv.Error, ValueError):
         raise RosmlError(
             f"--{option.name}={option.value}: its quotes do not close", 'write one " at each end', exit_code=2
         ) from None
-    return [(FIELDS.get(key, key), value) for key, _, value in (field.partition("=") for field in found)]
+    return [(FIELDS.get(key, key), value) for key, _, value in (field.partition("=") for field in row)]
 
 
 def placed(path: str, call: Call, start: str) -> str:
@@ -222,25 +180,15 @@ def volume(option: Option, call: Call, start: str) -> str:
     return placed(source, call, start) + colon + rest if colon else source
 
 
-# ---- GPUs ------------------------------------------------------------------------------------------------------------
-
 CERTAIN = """for certain GPUs: --gpus '"device=0,1"'"""
 """The remedy for GPUs that are not clear."""
 
 COUNT = re.compile("[0-9]{1,18}")
-"""A number of GPUs, or of a GPU."""
 
 
 @dataclass(frozen=True)
 class Gpus:
-    """The GPUs of `--gpus`.
-
-    Attributes:
-        count: `all`, a number, or another text, which the engine refuses; empty if there are ids.
-        ids: the wanted ones.
-        driver: empty if none is named.
-        capabilities: those that are named.
-    """
+    """The GPUs of `--gpus`. `count` is `all`, a number, or another text, which the engine refuses; empty if there are ids."""
 
     count: str
     ids: tuple[str, ...]
@@ -249,43 +197,22 @@ class Gpus:
 
 
 def gpus(option: Option) -> Gpus:
-    """GPUs, from `all`, `2`, `device=0`, `"device=0,1"`, or more fields.
-
-    Raises:
-        RosmlError: it has other fields, or several numbers. Docker takes the last number of `0,1`, which nobody means.
-    """
-    found: dict[str, str] = {}
+    """GPUs, from `all`, `2`, `device=0`, `"device=0,1"`, or more fields. Of several numbers such as `0,1`, docker takes the last one,
+    which nobody means: they are an error."""
+    values: dict[str, str] = {}
     for key, value in fields(option):
-        name, said = ("count", value or key) if key in ("all", "count") or COUNT.fullmatch(key) else (key, value)
+        is_count = key in ("all", "count") or COUNT.fullmatch(key)
+        name, value = ("count", value or key) if is_count else (key, value)
         if name not in ("count", "device", "driver", "capabilities"):
             remedy = f"leave out {name}: write all, a number, or device= with ids"
             raise RosmlError(f"{name} of --gpus has no counterpart in such a file", remedy, exit_code=2)
-        if name in found:
+        if name in values:
             text = f"--gpus {option.value} says {name} twice"
             raise RosmlError(text, CERTAIN, exit_code=2)
-        found[name] = said
-    ids = tuple(filter(None, found.get("device", "").split(",")))
-    if ids and "count" in found:
+        values[name] = value
+    ids = tuple(filter(None, values.get("device", "").split(",")))
+    if ids and "count" in values:
         text = f"--gpus {option.value} says both how many and which"
         raise RosmlError(text, CERTAIN, exit_code=2)
-    count = found.get("count", "" if ids else "1")
-    return Gpus(count, ids, found.get("driver", ""), tuple(filter(None, found.get("capabilities", "").split(","))))
-
-
-# ---- Content ---------------------------------------------------------------------------------------------------------
-
-
-def nested(path: str, found: Any) -> dict[str, Any]:
-    """`a.b` and what is in it, as `{a: {b: …}}`."""
-    first, _, rest = path.partition(".")
-    return {first: nested(rest, found) if rest else found}
-
-
-def merged(first: Any, second: Any) -> Any:
-    """Both; of two texts, numbers or switches the second one."""
-    if isinstance(first, dict) and isinstance(second, dict):
-        both = {key: merged(first[key], second[key]) for key in first if key in second}
-        return {**first, **second, **both}
-    if isinstance(first, list) and isinstance(second, list):
-        return [*first, *(item for item in second if item not in first)]
-    return second
+    count = values.get("count", "" if ids else "1")
+    return Gpus(count, ids, values.get("driver", ""), tuple(filter(None, values.get("capabilities", "").split(","))))

@@ -14,7 +14,7 @@ from rosml.base.errors import RosmlError
 from rosml.run.context import Context
 from rosml.run.exports.description import Call, Option, fields, file, placed, preceded, volume
 from rosml.run.paths import FILES, joined
-from rosml.run.plugins.concerns import FOLDER as LABEL
+from rosml.run.plugins.basic_options import FOLDER_LABEL
 from rosml.run.plugins.user import VARIABLE
 
 FOLDER = "${localWorkspaceFolder}"
@@ -36,48 +36,35 @@ def bare(context: Context) -> Context:
     """The context without the image's entrypoint: the user's bare ids run. In a trusted image that makes users, the group 0 may
     write to the workspace, and also to mounted files of root's group."""
     line, image = context.line, context.image
-    named = line.asks("no-user") or line.has("user") or (context.engine.rootless and not context.engine.podman)
+    is_chosen = line.asks("no-user") or line.has("user") or (context.engine.rootless and not context.engine.podman)
     trusted = context.trusted or context.engine.rootless
-    if VARIABLE in image.environment and trusted and context.person.uid and not named:
+    if VARIABLE in image.environment and trusted and context.person.uid and not is_chosen:
         line = preceded(line, "--group-add", "0")
     environment = {key: value for key, value in image.environment.items() if key != VARIABLE}
     return replace(context, line=line, image=replace(image, environment=environment))
 
 
 def text(call: Call) -> str:
-    """The file.
-
-    Raises:
-        RosmlError: an editor takes no such call.
-    """
-    return json.dumps(content(call), indent=2, ensure_ascii=False) + "\n"
-
-
-def content(call: Call) -> dict[str, Any]:
-    """The content of the file. Options without a counterpart go to the engine unchanged.
-
-    Raises:
-        RosmlError: an editor has its own command, or a text has a variable of editors (exit code 2).
-    """
+    """The file. Options without a counterpart go to the engine unchanged."""
     if call.command:
-        text = f"a dev container has no command of yours, such as {call.command[0]}: its editor keeps it open"
-        raise RosmlError(text, "leave the command out, and call it on the editor's terminal", exit_code=2)
+        message = f"a dev container has no command of yours, such as {call.command[0]}: its editor keeps it open"
+        raise RosmlError(message, "leave the command out, and call it on the editor's terminal", exit_code=2)
     _require_no_variables(call)
     if call.values("entrypoint"):
         raise RosmlError("a dev container has its editor's entrypoint", "leave out --entrypoint", exit_code=2)
-    opened = next((option for option in call.options if _target(option, call)), None)
-    others = [option for option in call.options if option is not opened]
+    workspace = next((option for option in call.options if _target(option, call)), None)
+    others = [option for option in call.options if option is not workspace]
     user = (call.values("user") or [""])[-1]
-    found: dict[str, Any] = {"name": call.name, "image": call.image}
-    if opened:
-        target = _target(opened, call)
-        found |= {
+    document: dict[str, Any] = {"name": call.name, "image": call.image}
+    if workspace:
+        target = _target(workspace, call)
+        document |= {
             "workspaceMount": joined(["type=bind", f"source={FOLDER}", f"target={target}"]),
             "workspaceFolder": target,
         }
     if user:
-        found["containerUser"] = "root" if user == "0:0" else user
-    found |= {
+        document["containerUser"] = "root" if user == "0:0" else user
+    document |= {
         "updateRemoteUserUID": False,
         "containerEnv": dict(map(_variable, call.values("env"))),
         "mounts": [_mount(option, call) for option in others if option.name == "mount"],
@@ -85,22 +72,23 @@ def content(call: Call) -> dict[str, Any]:
         **{key: [*dict.fromkeys(call.values(name))] for name, key in LISTS.items()},
         "runArgs": [_word(option, call) for option in others if option.name not in (*ELSEWHERE, *DROPPED)],
     }
-    return {key: value for key, value in found.items() if value not in ([], {})}
+    written = {key: value for key, value in document.items() if value not in ([], {})}
+    return json.dumps(written, indent=2, ensure_ascii=False) + "\n"
 
 
 def _require_no_variables(call: Call) -> None:
     """Refuses variables of editors in texts of images, folders and words. An editor puts something of the desk in their place, such as a
     password from the environment, and knows no escape."""
     texts = [call.name, call.image, call.folder, call.place, *(option.value or "" for option in call.options)]
-    if found := next(filter(None, map(VARIABLES.search, texts)), None):
-        text = f"{found.string[:100]!a} has {found[0]}, for which an editor puts in something of your machine"
+    if variable := next(filter(None, map(VARIABLES.search, texts)), None):
+        text = f"{variable.string[:100]!a} has {variable[0]}, for which an editor puts in something of your machine"
         raise RosmlError(text, "leave it out, or take another image or folder", exit_code=2)
 
 
 def _variable(value: str) -> tuple[str, str]:
     """A variable of the container. Without a value, it has that of the user who starts it."""
-    name, equals, said = value.partition("=")
-    return name, said if equals else f"${{localEnv:{name}}}"
+    name, equals, text = value.partition("=")
+    return name, text if equals else f"${{localEnv:{name}}}"
 
 
 def _target(option: Option, call: Call) -> str:
@@ -110,17 +98,16 @@ def _target(option: Option, call: Call) -> str:
         return target if source == call.place and ":" not in target else ""
     if option.name != "mount":
         return ""
-    found = dict(fields(option))
-    target = found.pop("target", "")
-    return target if found == {"type": "bind", "source": call.place} else ""
+    mount = dict(fields(option))
+    target = mount.pop("target", "")
+    return target if mount == {"type": "bind", "source": call.place} else ""
 
 
 def _mount(option: Option, call: Call) -> str:
-    """The value of `--mount`."""
-    found = dict(fields(option))
-    if "source" in found:
-        found["source"] = placed(found["source"], call, FOLDER)
-    return joined([f"{key}={value}" if value else key for key, value in found.items()])
+    mount = dict(fields(option))
+    if "source" in mount:
+        mount["source"] = placed(mount["source"], call, FOLDER)
+    return joined([f"{key}={value}" if value else key for key, value in mount.items()])
 
 
 def _word(option: Option, call: Call) -> str:
@@ -132,6 +119,6 @@ def _word(option: Option, call: Call) -> str:
         value = file(option, call, FOLDER)
     elif option.name == "volume":
         value = volume(option, call, FOLDER)
-    elif value == f"{LABEL}={call.folder}":
-        value = f"{LABEL}={FOLDER}"
+    elif value == f"{FOLDER_LABEL}={call.folder}":
+        value = f"{FOLDER_LABEL}={FOLDER}"
     return f"--{option.name}={value}"

@@ -16,13 +16,12 @@ from rosml.base.errors import RosmlError
 from rosml.run import trust
 from rosml.run.context import Context, Engine
 from rosml.run.exports import yaml_text
-from rosml.run.exports.description import COUNT, Call, Option, fields, gpus, merged, nested, preceded, sessionless
-from rosml.run.plugins.concerns import FOLDER
+from rosml.run.exports.description import COUNT, Call, Option, fields, gpus, preceded, sessionless
+from rosml.run.exports.yaml_text import merged, nested
+from rosml.run.plugins.basic_options import FOLDER_LABEL
 from rosml.run.plugins.gpu import DRIVER, is_theirs, numbers
 
 KIND = "kubernetes"
-"""The name of this kind of file."""
-
 NAME_LABEL = "app.kubernetes.io/name"
 """The label by which the Deployment finds its containers."""
 
@@ -30,7 +29,7 @@ GPU = "nvidia.com/gpu"
 """The name of a GPU among a machine's resources."""
 
 DROPPED = ("interactive", "name", "tty")
-"""Options that have no meaning, or that are said elsewhere in the file."""
+"""Options that have no meaning, or that have another place in the file."""
 
 VARIABLE = re.compile("[A-Za-z_.-][A-Za-z0-9_.-]*")
 """The names of variables that all releases take."""
@@ -56,11 +55,7 @@ HOST = {"ipc": "hostIPC", "network": "hostNetwork", "pid": "hostPID"}
 
 
 def cluster(context: Context) -> Context:
-    """The context of a machine of a cluster.
-
-    Raises:
-        RosmlError: as in `sessionless`.
-    """
+    """The context of a machine of a cluster."""
     engine, line = Engine("docker", machine=f"a cluster, not {context.host.name}"), context.line
     if numbers(context.image.labels.get(DRIVER, "")) and not line.asks("no-gpu") and not is_theirs(line):
         line = preceded(line, "--gpus", "1")  # the image was made for one
@@ -68,30 +63,19 @@ def cluster(context: Context) -> Context:
 
 
 def text(call: Call) -> str:
-    """The file.
-
-    Raises:
-        RosmlError: an option has no counterpart.
-    """
-    found, lines = (
-        content(call),
-        [f"{call.name} in a cluster. Written by rosml run --export kubernetes; kubectl apply -f FILE"],
-    )
-    limits = found["spec"]["template"]["spec"]["containers"][0].get("resources", {}).get("limits", {})
+    document = content(call)
+    comments = [f"{call.name} in a cluster. Written by rosml run --export kubernetes; kubectl apply -f FILE"]
+    limits = document["spec"]["template"]["spec"]["containers"][0].get("resources", {}).get("limits", {})
     if numbers(call.about.labels.get(DRIVER, "")):
-        said = "--no-gpu leaves it out" if GPU in limits else "--gpus 1 asks for it"
-        lines.append(f"The image was made for a GPU of NVIDIA's: {said}")
+        remedy = "--no-gpu leaves it out" if GPU in limits else "--gpus 1 asks for it"
+        comments.append(f"The image was made for a GPU of NVIDIA's: {remedy}")
     if not _digests(call):
-        lines.append("The image has no digest of a registry here, so its tag decides what runs")
-    return "".join(f"# {line}.\n" for line in lines) + yaml_text.text(found)
+        comments.append("The image has no digest of a registry here, so its tag decides what runs")
+    return "".join(f"# {line}.\n" for line in comments) + yaml_text.text(document)
 
 
 def content(call: Call) -> dict[str, Any]:
-    """The content of the file.
-
-    Raises:
-        RosmlError: an option has no counterpart.
-    """
+    """The content of the file. An option without a counterpart is an error."""
     name = _dns(call.name)
     pod: Any = reduce(merged, (_part(option, call) for option in call.options), {"container": {}})
     container = {"name": name, "image": _image(call), **pod.pop("container")}
@@ -121,9 +105,6 @@ def content(call: Call) -> dict[str, Any]:
     }
 
 
-# ---- The whole -------------------------------------------------------------------------------------------------------
-
-
 def _dns(name: str) -> str:
     """A name as Kubernetes takes it: small letters, digits and `-`, at most 63."""
     return re.sub("[^a-z0-9]+", "-", name.lower()).strip("-")[:63].strip("-") or "container"
@@ -131,10 +112,10 @@ def _dns(name: str) -> str:
 
 def _digests(call: Call) -> list[str]:
     """The image's digests in the repository from which it came; the one over all architectures comes first."""
-    wanted = trust.repository(call.image, call.about.id, podman=False)
-    named = [known.partition("@") for known in call.about.digests]
-    found = [digest for name, _, digest in named if trust.repository(name, "", podman=False) == wanted]
-    return sorted(found, key=lambda digest: digest == call.about.digest)
+    repository = trust.repository(call.image, call.about.id, podman=False)
+    names = [name.partition("@") for name in call.about.digests]
+    matching = [digest for name, _, digest in names if trust.repository(name, "", podman=False) == repository]
+    return sorted(matching, key=lambda digest: digest == call.about.digest)
 
 
 def _image(call: Call) -> str:
@@ -142,8 +123,8 @@ def _image(call: Call) -> str:
     if trust.repository(call.image, call.about.id, podman=False).startswith("sha256:"):
         text = f"{call.image!a} is no name of an image that a cluster can pull"
         raise RosmlError(text, trust.PUSHED, exit_code=2)
-    found = _digests(call)
-    return call.image if "@" in call.image or not found else f"{call.image}@{found[0]}"
+    digests = _digests(call)
+    return call.image if "@" in call.image or not digests else f"{call.image}@{digests[0]}"
 
 
 def _entry(entrypoint: str, call: Call) -> dict[str, Any]:
@@ -155,13 +136,13 @@ def _entry(entrypoint: str, call: Call) -> dict[str, Any]:
     return {"command": [*map(_escaped, words)]}
 
 
-def _escaped(found: str) -> str:
+def _escaped(text: str) -> str:
     """A text of which Kubernetes reads each `$$` as one `$`."""
-    return found.replace("$", "$$")
+    return text.replace("$", "$$")
 
 
 def _check(container: Mapping[str, Any], pod: Mapping[str, Any]) -> None:
-    """Raises RosmlError if a cluster refuses what an engine takes."""
+    """Refuses what a cluster does not take, although an engine does."""
     safety = container.get("securityContext", {})
     strong = safety.get("privileged") or "SYS_ADMIN" in safety.get("capabilities", {}).get("add", [])
     if strong and safety.get("allowPrivilegeEscalation") is False:
@@ -173,9 +154,6 @@ def _check(container: Mapping[str, Any], pod: Mapping[str, Any]) -> None:
         raise RosmlError(text, "leave out --hostname", exit_code=2)
 
 
-# ---- The image's health ----------------------------------------------------------------------------------------------
-
-
 def _probe(call: Call) -> dict[str, Any]:
     """The probe that starts the container again, from --health-cmd or the image's HEALTHCHECK, with the engines' defaults."""
     typed, image = (call.values("health-cmd") or [""])[-1], call.about.health
@@ -183,9 +161,11 @@ def _probe(call: Call) -> dict[str, Any]:
         return {}
     command = ("/bin/sh", "-c", typed) if typed else image.command
 
-    def seconds(name: str, found: float, default: int) -> int:
-        said = (call.values(f"health-{name}") or [""])[-1]
-        return max(1, -int(-(_seconds(name, said) if said else found) // 1)) if said or found else default
+    def seconds(name: str, from_image: float, default: int) -> int:
+        option = (call.values(f"health-{name}") or [""])[-1]
+        return (
+            max(1, -int(-(_seconds(name, option) if option else from_image) // 1)) if option or from_image else default
+        )
 
     probe = {
         "exec": {"command": [*command]},
@@ -198,23 +178,20 @@ def _probe(call: Call) -> dict[str, Any]:
     return {"livenessProbe": probe}
 
 
-def _seconds(name: str, said: str) -> float:
+def _seconds(name: str, duration: str) -> float:
     """A duration such as `1m30s`."""
-    parts = re.findall(r"([0-9]{1,9}(?:\.[0-9]{1,9})?)(ms|s|m|h)", said)
-    if not parts or "".join(map("".join, parts)) != said:
-        raise RosmlError(f"--health-{name}={said} is no duration", "write it such as 1m30s", exit_code=2)
+    parts = re.findall(r"([0-9]{1,9}(?:\.[0-9]{1,9})?)(ms|s|m|h)", duration)
+    if not parts or "".join(map("".join, parts)) != duration:
+        raise RosmlError(f"--health-{name}={duration} is no duration", "write it such as 1m30s", exit_code=2)
     return sum(float(number) * {"ms": 0.001, "s": 1, "m": 60, "h": 3600}[unit] for number, unit in parts)
 
 
 def _number(name: str, call: Call) -> int:
     """The value of an option that is a number; 0 if it is not written."""
-    found = (call.values(name) or ["0"])[-1]
-    if not COUNT.fullmatch(found):
-        raise _without(f"--{name}={found}", f"write --{name}=NUMBER")
-    return int(found)
-
-
-# ---- An option -------------------------------------------------------------------------------------------------------
+    value = (call.values(name) or ["0"])[-1]
+    if not COUNT.fullmatch(value):
+        raise _without(f"--{name}={value}", f"write --{name}=NUMBER")
+    return int(value)
 
 
 def _without(what: str, remedy: str) -> RosmlError:
@@ -222,21 +199,17 @@ def _without(what: str, remedy: str) -> RosmlError:
 
 
 def _part(option: Option, call: Call) -> dict[str, Any]:
-    """The fields that an option adds to a pod, and below `container` those of its container.
-
-    Raises:
-        RosmlError: the option has no counterpart.
-    """
+    """The fields that an option adds to a pod, and below `container` those of its container."""
     name, value = option.name, option.value or ""
     if name in DROPPED or name in ("entrypoint", "no-healthcheck") or name in HEALTH or value in DEFAULTS.get(name, ()):
         return {}
     if name in HOST and value == "host":
         policy = {"dnsPolicy": "ClusterFirstWithHostNet"} if name == "network" else {}
         return {HOST[name]: True, **policy}
-    if name not in MADE:
+    if name not in WRITERS:
         remedy = REMEDIES.get(name, f"leave out --{name}")
         raise _without(f"--{name}={value}" if name in (*HOST, *DEFAULTS) else f"--{name}", remedy)
-    return MADE[name](option, call)
+    return WRITERS[name](option, call)
 
 
 REMEDIES = {"env-file": "write -e NAME=VALUE, or leave it out and add a ConfigMap or a Secret to the file"}
@@ -256,7 +229,7 @@ def _env(option: Option, call: Call) -> dict[str, Any]:
 
 def _label(option: Option, call: Call) -> dict[str, Any]:
     key, _, value = (option.value or "").partition("=")
-    if key == FOLDER:
+    if key == FOLDER_LABEL:
         return {}  # of this machine
     if not LABEL.fullmatch(key) or (option.name == "label" and not LABEL_VALUE.fullmatch(value)) or key == NAME_LABEL:
         raise _without(f"--{option.name} {option.value!a}", f"leave out --{option.name}; --annotation takes any value")
@@ -271,8 +244,8 @@ def _user(option: Option, call: Call) -> dict[str, Any]:
     return _safety({"runAsUser": int(ids[1]), **group})
 
 
-def _safety(found: Mapping[str, Any]) -> dict[str, Any]:
-    return {"container": {"securityContext": {**found}}}
+def _safety(settings: Mapping[str, Any]) -> dict[str, Any]:
+    return {"container": {"securityContext": {**settings}}}
 
 
 def _security(option: Option, call: Call) -> dict[str, Any]:
@@ -305,22 +278,22 @@ def _sysctl(option: Option, call: Call) -> dict[str, Any]:
     return {"securityContext": {"sysctls": [{"name": name, "value": value}]}}
 
 
-def _size(option: Option, said: str) -> str:
+def _size(option: Option, size: str) -> str:
     """A size of memory in Kubernetes' words."""
-    found = SIZE.fullmatch(said)
-    if not found or not float(found[1]):
-        raise _without(f"--{option.name}={said}", "write a size such as 512m")
-    unit = found[2].upper()
-    return found[1] + (f"{unit}i" if unit not in ("", "B") else "")
+    match = SIZE.fullmatch(size)
+    if not match or not float(match[1]):
+        raise _without(f"--{option.name}={size}", "write a size such as 512m")
+    unit = match[2].upper()
+    return match[1] + (f"{unit}i" if unit not in ("", "B") else "")
 
 
 def _gpus(option: Option, call: Call) -> dict[str, Any]:
-    found = gpus(option)
-    if found.ids or found.driver not in ("", "nvidia") or found.capabilities:
+    requested = gpus(option)
+    if requested.ids or requested.driver not in ("", "nvidia") or requested.capabilities:
         raise _without(f"--gpus {option.value}", "write --gpus NUMBER: the cluster chooses which")
-    if not COUNT.fullmatch(found.count) or int(found.count) == 0:
+    if not COUNT.fullmatch(requested.count) or int(requested.count) == 0:
         raise _without(f"--gpus {option.value}", "write --gpus NUMBER: a cluster counts GPUs")
-    return _limit(GPU, str(int(found.count)))
+    return _limit(GPU, str(int(requested.count)))
 
 
 def _limit(name: str, value: str, kind: str = "limits") -> dict[str, Any]:
@@ -339,13 +312,13 @@ def _device(option: Option, call: Call) -> dict[str, Any]:
 
 
 def _port(option: Option, call: Call) -> dict[str, Any]:
-    found = PORT.fullmatch(option.value or "")
-    if not found or not all(0 < int(found[side]) < 2**16 for side in ("host", "inside")):
+    match = PORT.fullmatch(option.value or "")
+    if not match or not all(0 < int(match[side]) < 2**16 for side in ("host", "inside")):
         raise _without(f"-p {option.value}", "write -p PORT:PORT, the machine's and the container's")
-    port: dict[str, Any] = {"containerPort": int(found["inside"]), "hostPort": int(found["host"])}
-    port["protocol"] = (found["kind"] or "tcp").upper()
-    if found["ip"]:
-        port["hostIP"] = found["ip"].strip("[]")
+    port: dict[str, Any] = {"containerPort": int(match["inside"]), "hostPort": int(match["host"])}
+    port["protocol"] = (match["kind"] or "tcp").upper()
+    if match["ip"]:
+        port["hostIP"] = match["ip"].strip("[]")
     return {"container": {"ports": [port]}}
 
 
@@ -374,11 +347,11 @@ def _memory(option: Option, target: str, size: str) -> dict[str, Any]:
 
 
 def _mount(option: Option, call: Call) -> dict[str, Any]:
-    found = dict(fields(option))
-    kind, target, source = found.pop("type", "volume"), found.pop("target", ""), found.pop("source", "")
-    switch = found.pop("readonly", "false")
-    size = found.pop("tmpfs-size", "") if kind == "tmpfs" else ""
-    if kind not in ("bind", "tmpfs") or found or (kind == "tmpfs" and source):
+    mount = dict(fields(option))
+    kind, target, source = mount.pop("type", "volume"), mount.pop("target", ""), mount.pop("source", "")
+    switch = mount.pop("readonly", "false")
+    size = mount.pop("tmpfs-size", "") if kind == "tmpfs" else ""
+    if kind not in ("bind", "tmpfs") or mount or (kind == "tmpfs" and source):
         raise _without(f"--mount {option.value}", "mount a folder of the machine: -v /FOLDER:/WHERE")
     if kind == "tmpfs":
         return _memory(option, target, size)
@@ -386,11 +359,11 @@ def _mount(option: Option, call: Call) -> dict[str, Any]:
 
 
 def _tmpfs(option: Option, call: Call) -> dict[str, Any]:
-    target, _, said = (option.value or "").partition(":")
-    found = [part for part in said.split(",") if part not in ("", "rw")]
-    if any(not part.startswith("size=") for part in found):
-        raise _without(f"{said} of --tmpfs", "write size=, or leave it out")
-    return _memory(option, target, found[-1].removeprefix("size=") if found else "")
+    target, _, options = (option.value or "").partition(":")
+    sizes = [part for part in options.split(",") if part not in ("", "rw")]
+    if any(not part.startswith("size=") for part in sizes):
+        raise _without(f"{options} of --tmpfs", "write size=, or leave it out")
+    return _memory(option, target, sizes[-1].removeprefix("size=") if sizes else "")
 
 
 def _host_name(option: Option, call: Call) -> dict[str, Any]:
@@ -433,7 +406,7 @@ def _pull(option: Option, call: Call) -> dict[str, Any]:
     return {"container": {"imagePullPolicy": PULLS[option.value]}}
 
 
-MADE: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
+WRITERS: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
     "add-host": _host,
     "annotation": _label,
     "cap-add": _capability,
@@ -464,4 +437,3 @@ MADE: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
     "volume": _volume,
     "workdir": lambda option, call: {"container": {"workingDir": option.value or ""}},
 }
-"""The options that a pod has."""

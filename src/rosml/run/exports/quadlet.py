@@ -15,14 +15,11 @@ from dataclasses import replace
 
 from rosml.base.errors import RosmlError
 from rosml.run import paths, trust
-from rosml.run.context import Context, Engine
-from rosml.run.engine import CDI
+from rosml.run.context import PODMAN_CDI, Context, Engine
 from rosml.run.exports.description import COUNT, Call, Option, gpus, sessionless
-from rosml.run.words import Given
+from rosml.run.words import TypedOption
 
 KIND = "quadlet"
-"""The name of this kind of file."""
-
 KEYS = {
     "cap-add": "AddCapability",
     "cap-drop": "DropCapability",
@@ -73,11 +70,7 @@ PORT = re.compile(r"(?:(?:[0-9]{1,3}(?:\.[0-9]{1,3}){3}:)?[0-9]{1,5}:)?[0-9]{1,5
 """The values of -p that all generators take."""
 
 VARIABLE = re.compile("[A-Za-z_][A-Za-z0-9_.-]*")
-"""Names of variables that a comment can have."""
-
 ESCAPES = {'"': r"\"", "\\": r"\\", "\n": r"\n", "\r": r"\r", "\t": r"\t", "%": "%%", "$": "$$"}
-"""Characters that are written in another way between quotes."""
-
 PULLING = 900
 """Seconds for a start: the first one pulls the image. systemd's default is 90."""
 
@@ -89,37 +82,24 @@ PATIENCE = 60
 
 
 def service(context: Context) -> Context:
-    """The context of podman's: without root unless you are root. Another engine of this machine does not count.
-
-    Raises:
-        RosmlError: as in `sessionless`, or podman does not have such an image.
-    """
+    """The context of podman's: without root unless you are root. Another engine of this machine does not count."""
     engine, line = context.engine, context.line
     if not engine.podman:
         rootless = context.person.uid != 0
-        engine = Engine("podman", True, rootless, cdi=CDI, machine=engine.machine, selinux=engine.selinux)
-        line = replace(line, image=_named_by_docker(line.image, context.image.id))
+        engine = Engine("podman", True, rootless, cdi=PODMAN_CDI, machine=engine.machine, selinux=engine.selinux)
+        line = replace(line, image=_whole_name(line.image, context.image.id))
     return sessionless(replace(context, engine=engine, line=line), KIND)
 
 
-def _named_by_docker(image: str, identity: str) -> str:
-    """The image's whole name: docker has a registry for names without one, podman asks which.
-
-    Raises:
-        RosmlError: it is an id, which podman does not know.
-    """
-    whole, written = trust.repository(image, identity, podman=False), trust.REFERENCE.fullmatch(image)
-    if whole.startswith("sha256:") and written:
+def _whole_name(image: str, identity: str) -> str:
+    """The image's whole name: docker has a registry for names without one, podman asks which."""
+    whole, reference = trust.repository(image, identity, podman=False), trust.REFERENCE.fullmatch(image)
+    if whole.startswith("sha256:") and reference:
         raise RosmlError(f"{image} is an id of docker's, which podman does not have", trust.PUSHED, exit_code=2)
-    return whole + image[len(written["name"]) :] if written else image
+    return whole + image[len(reference["name"]) :] if reference else image
 
 
 def text(call: Call) -> str:
-    """The file.
-
-    Raises:
-        RosmlError: podman's generator or systemd would read something else, or podman has no such option.
-    """
     rootless = call.engine.rootless
     user, folder = ("--user ", "~/.config/containers/systemd") if rootless else ("", "/etc/containers/systemd")
     sudo = "" if rootless else "sudo "
@@ -150,28 +130,20 @@ def text(call: Call) -> str:
     return "\n".join(lines) + "\n"
 
 
-# ---- An option -------------------------------------------------------------------------------------------------------
-
-
 def _last(options: Sequence[Option]) -> list[Option]:
     """The options that count: of two that set the same thing, the last one."""
-    kept: dict[object, Option] = {}
+    by_key: dict[object, Option] = {}
     for number, option in enumerate(options):
         key: object = number
         if option.name in SINGLE:
             key = option.name
         elif option.name in PAIRS:
             key = option.name, (option.value or "").partition("=")[0]
-        kept[key] = option
-    return [*kept.values()]
+        by_key[key] = option
+    return [*by_key.values()]
 
 
 def _lines(option: Option, call: Call) -> Iterator[str]:
-    """The lines of an option.
-
-    Raises:
-        RosmlError: podman does not have it.
-    """
     name = option.name
     if name in (*DROPPED, "restart"):
         return
@@ -179,11 +151,11 @@ def _lines(option: Option, call: Call) -> Iterator[str]:
         why = "podman has no such option" if name in OF_DOCKER else "podman's generator decides that"
         raise RosmlError(f"--{name} does not go with --export {KIND}: {why}", f"leave out --{name}", exit_code=2)
     if option.value is not None:
-        given = paths.anchored(Given((f"--{name}={option.value}",), (name,), option.value), call.folder)
-        option = replace(option, value=given.value)
+        anchored = paths.anchored(TypedOption((f"--{name}={option.value}",), (name,), option.value), call.folder)
+        option = replace(option, value=anchored.value)
     value = option.value or ""
     if name == "gpus":
-        yield from (f"AddDevice=nvidia.com/gpu={_plain_id(one)}" for one in _gpu_ids(option))
+        yield from (f"AddDevice=nvidia.com/gpu={_plain_id(gpu_id)}" for gpu_id in _gpu_ids(option))
     elif name in PAIRS and ("=" in value or name != "env"):
         yield f"{PAIRS[name]}={_quoted(value if '=' in value else f'{value}=')}"
     elif name == "env":
@@ -212,74 +184,52 @@ def _fits(name: str, value: str) -> bool:
 
 
 def _gpu_ids(option: Option) -> Sequence[str]:
-    """The names of GPUs in CDI.
-
-    Raises:
-        RosmlError: podman hands in no such GPUs.
-    """
-    found = gpus(option)
-    if found.driver not in ("", "nvidia") or found.capabilities:
+    """The names of GPUs in CDI."""
+    requested = gpus(option)
+    if requested.driver not in ("", "nvidia") or requested.capabilities:
         text = f"--gpus {option.value} does not go with --export {KIND}: podman hands in whole GPUs of NVIDIA's"
         raise RosmlError(text, "write all, a number, or device= with ids", exit_code=2)
-    if found.ids:
-        return found.ids
-    if found.count in ("all", "-1"):
+    if requested.ids:
+        return requested.ids
+    if requested.count in ("all", "-1"):
         return ["all"]
-    count = int(found.count) if COUNT.fullmatch(found.count) else 0
+    count = int(requested.count) if COUNT.fullmatch(requested.count) else 0
     if not 0 < count <= 64:
         raise RosmlError(f"--gpus {option.value} asks for no GPU", "leave out --gpus, or write all", exit_code=2)
     return [*map(str, range(count))]
 
 
-def _plain_id(found: str) -> str:
-    if not PLAIN.fullmatch(found):
-        raise RosmlError(f"--gpus: {found!a} is no id of a GPU", "nvidia-smi -L lists them", exit_code=2)
-    return found
+def _plain_id(gpu_id: str) -> str:
+    if not PLAIN.fullmatch(gpu_id):
+        raise RosmlError(f"--gpus: {gpu_id!a} is no id of a GPU", "nvidia-smi -L lists them", exit_code=2)
+    return gpu_id
 
 
-# ---- What systemd does -----------------------------------------------------------------------------------------------
-
-
-def _restart(found: str) -> str:
-    """When systemd starts it again.
-
-    Raises:
-        RosmlError: systemd counts in another way.
-    """
-    if found not in RESTARTS:
-        text = f"--restart {found} does not go with --export {KIND}: systemd has no such rule"
+def _restart(policy: str) -> str:
+    """systemd's word for --restart."""
+    if policy not in RESTARTS:
+        text = f"--restart {policy} does not go with --export {KIND}: systemd has no such rule"
         raise RosmlError(text, f"write one of {', '.join(RESTARTS)}", exit_code=2)
-    return RESTARTS[found]
+    return RESTARTS[policy]
 
 
 def _patience(call: Call) -> list[str]:
     """How long systemd waits for a stop, if the container may take longer than systemd's default."""
-    wanted = (call.values("stop-timeout") or [""])[-1]
-    if wanted == "-1":
+    timeout = (call.values("stop-timeout") or [""])[-1]
+    if timeout == "-1":
         return ["TimeoutStopSec=infinity"]
-    return [f"TimeoutStopSec={int(wanted) + PATIENCE}"] if COUNT.fullmatch(wanted) and int(wanted) > PATIENCE else []
+    return [f"TimeoutStopSec={int(timeout) + PATIENCE}"] if COUNT.fullmatch(timeout) and int(timeout) > PATIENCE else []
 
 
 def _image(name: str) -> str:
-    """The image's name. The generator takes `x.image` and `x.build` for files of its kind.
-
-    Raises:
-        RosmlError: the name needs quotes, which this key does not have.
-    """
+    """The image's name. The generator takes `x.image` and `x.build` for files of its kind."""
     if not PLAIN.fullmatch(name):
         raise RosmlError(f"{name!a} is no name of an image in a unit", "docker tag gives it a plain name", exit_code=2)
     return f"{name}:latest" if name.endswith(UNITS) else name
 
 
-# ---- Quotes ----------------------------------------------------------------------------------------------------------
-
-
 def _argument(word: str) -> str:
-    """A word of a command, with quotes if it needs them.
-
-    Raises:
-        RosmlError: as in `_quoted`, or the generator would lose the word, and all words after it.
-    """
+    """A word of a command, with quotes if it needs them. The generator would lose `` and `;`, and all words after them."""
     if word in ("", ";"):
         text = f"the word {word!a} does not go with --export {KIND}: systemd does not hand it on"
         raise RosmlError(text, "write the command as one word: bash -c '…'", exit_code=2)
@@ -287,11 +237,7 @@ def _argument(word: str) -> str:
 
 
 def _quoted(word: str) -> str:
-    """A word in quotes, as the generator and then systemd read it.
-
-    Raises:
-        RosmlError: one of them would change a character.
-    """
+    """A word in quotes, as the generator and then systemd read it. It is an error if one of them would change a character."""
     if odd := next(filter(is_lost, word), ""):
         text = f"the character U+{ord(odd):04X} in {word[:40]!a} does not go with --export {KIND}: systemd changes it"
         raise RosmlError(text, "put it into a file that the command reads", exit_code=2)

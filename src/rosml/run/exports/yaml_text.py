@@ -15,7 +15,7 @@ WORDS = re.compile("y|n|yes|no|on|off|true|false|null|nan|inf", re.IGNORECASE)
 
 
 def text(content: Any) -> str:
-    """The text of a content: dictionaries, lists, texts, numbers, switches. It has no anchors."""
+    """The text of dictionaries, lists, texts, numbers and switches. It has no anchors."""
     return yaml.dump(content, Dumper=_Dumper, sort_keys=False, allow_unicode=True, width=1_000_000)
 
 
@@ -24,9 +24,25 @@ class _Dumper(yaml.SafeDumper):
         return True
 
 
-def _quoted(dumper: yaml.SafeDumper, found: str) -> yaml.Node:
-    plain = PLAIN.fullmatch(found) and not WORDS.fullmatch(found)
-    return dumper.represent_scalar("tag:yaml.org,2002:str", found, style=None if plain else '"')
+def _quoted(dumper: yaml.SafeDumper, text: str) -> yaml.Node:
+    plain = PLAIN.fullmatch(text) and not WORDS.fullmatch(text)
+    return dumper.represent_scalar("tag:yaml.org,2002:str", text, style=None if plain else '"')
 
 
 _Dumper.add_representer(str, _quoted)
+
+
+def nested(path: str, value: Any) -> dict[str, Any]:
+    """`a.b` and its content, as `{a: {b: …}}`."""
+    first, _, rest = path.partition(".")
+    return {first: nested(rest, value) if rest else value}
+
+
+def merged(first: Any, second: Any) -> Any:
+    """Both; of two texts, numbers or switches the second one."""
+    if isinstance(first, dict) and isinstance(second, dict):
+        both = {key: merged(first[key], second[key]) for key in first if key in second}
+        return {**first, **second, **both}
+    if isinstance(first, list) and isinstance(second, list):
+        return [*first, *(item for item in second if item not in first)]
+    return second

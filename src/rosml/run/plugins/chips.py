@@ -1,5 +1,5 @@
-"""Which GPUs of NVIDIA this machine has, as compute capabilities, and whether code was built for them. Starts no process: this
-machine's files have the numbers of the chips."""
+"""The compute capabilities of this machine's NVIDIA GPUs, and whether code was built for them. Starts no process: this machine's
+files have the numbers of the chips."""
 
 from __future__ import annotations
 
@@ -43,26 +43,24 @@ Capability = tuple[int, int]
 def capabilities(host: Host) -> list[Capability]:
     """The compute capabilities of this machine's GPUs, without duplicates; those of unknown chips are left out."""
     board = re.search(r"nvidia,tegra([0-9]{3})(?![0-9])", host.text(BOARD))
-    found = {BOARDS[board[1]]} if board and board[1] in BOARDS else set()
+    known_capabilities = {BOARDS[board[1]]} if board and board[1] in BOARDS else set()
     for device in host.files(DRIVEN):
         number = host.text(f"{device}/device").strip().lower().removeprefix("0x")
-        found.update([value for pattern, value in CARDS.items() if re.fullmatch(pattern, number)][:1])
-    return sorted(found)
+        known_capabilities.update([value for pattern, value in CARDS.items() if re.fullmatch(pattern, number)][:1])
+    return sorted(known_capabilities)
 
 
 def covers(built: Iterable[str], capability: Capability) -> bool:
-    """Whether code runs on a GPU. True if a word is unknown, as an image may say anything.
-
-    Args:
-        built: what it was compiled for: `sm_80`, `sm_90a`, `compute_90`.
-    """
+    """Whether code runs on a GPU. True if a word is unknown, as an image may say anything. `built` is what it was compiled for:
+    `sm_80`, `sm_90a`, `compute_90`."""
     kinds = [_KIND.fullmatch(word) for word in built]
     return not all(kinds) or any(_runs(kind, capability) for kind in kinds if kind)
 
 
 def _runs(kind: re.Match[str], capability: Capability) -> bool:
-    """Machine code is for GPUs of its major version, from its minor version on. PTX is for all later GPUs. What has an `a` is for one."""
-    of = int(kind[2]), int(kind[3])
+    """Machine code is for GPUs of its major version, from its minor version on. PTX is for all later GPUs. Code with an `a` is for one
+    GPU alone."""
+    target = int(kind[2]), int(kind[3])
     if kind[4] == "a":
-        return capability == of
-    return capability >= of and ((kind[1] == "compute" and not kind[4]) or capability[0] == of[0])
+        return capability == target
+    return capability >= target and ((kind[1] == "compute" and not kind[4]) or capability[0] == target[0])

@@ -10,7 +10,8 @@ from rosml.run.plugin import Plugin
 
 
 def devices(context: Context) -> Sequence[str]:
-    """The groups of device files that the user hands in by `--device`. A user in the container is in none of this machine's groups."""
+    """The groups of device files that the user hands in by `--device`. A user in the container is in none of this machine's
+    groups."""
     places = [place for value in context.line.values("device") if (place := value.partition(":")[0]).startswith("/")]
     if not context.is_here or "keep-groups" in context.line.values("group-add"):
         return []
@@ -22,8 +23,8 @@ def groups(context: Context, nodes: Iterable[str]) -> list[str]:
     cannot give groups."""
     if context.engine.rootless:
         return []
-    found = {context.host.owner(node)[1] for node in nodes} - {0, -1, context.person.gid}
-    return [word for group in sorted(found) for word in ("--group-add", str(group))]
+    group_ids = {context.host.owner(node)[1] for node in nodes} - {0, -1, context.person.gid}
+    return [word for group in sorted(group_ids) for word in ("--group-add", str(group))]
 
 
 def _nodes(context: Context, place: str) -> list[str]:

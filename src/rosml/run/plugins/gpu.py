@@ -32,11 +32,7 @@ GUIDE = "https://docs.nvidia.com/datacenter/cloud-native/container-toolkit/"
 
 
 def gpu(context: Context) -> Added:
-    """All NVIDIA GPUs; if there are none, /dev/dri of other GPUs. Those of another machine are unknown.
-
-    Raises:
-        RosmlError: the machine's driver is too old for the image.
-    """
+    """All NVIDIA GPUs; if there are none, /dev/dri of other GPUs. GPUs of another machine are unknown."""
     line, host = context.line, context.host
     if line.has("gpus") and context.engine.podman:
         return Added(notes=[FOR_PODMAN])
@@ -83,30 +79,32 @@ def handed_in(engine: Engine, host: Host) -> Sequence[str]:
 def lacking(engine: Engine) -> tuple[str, str]:
     """Why there is no GPU, and the remedy."""
     text = f"the container gets no GPU: {engine.program} cannot hand in NVIDIA's"
-    made = ", then sudo nvidia-ctk cdi generate --output=/etc/cdi/nvidia.yaml" if engine.podman else ""
-    return text, f"{TOOLKIT}{made} ({GUIDE}); --no-gpu asks for none"
+    cdi_step = ", then sudo nvidia-ctk cdi generate --output=/etc/cdi/nvidia.yaml" if engine.podman else ""
+    return text, f"{TOOLKIT}{cdi_step} ({GUIDE}); --no-gpu asks for none"
 
 
 def _check_driver(context: Context) -> None:
-    needed = context.image.labels.get(DRIVER, "")
-    found = driver(context.host)
-    if not numbers(found) or context.line.sets("NVIDIA_DISABLE_REQUIRE") or numbers(found) >= numbers(needed):
+    needed_driver = context.image.labels.get(DRIVER, "")
+    machine_driver = driver(context.host)
+    if (
+        not numbers(machine_driver)
+        or context.line.sets("NVIDIA_DISABLE_REQUIRE")
+        or numbers(machine_driver) >= numbers(needed_driver)
+    ):
         return
-    text = f"{context.line.image} needs NVIDIA's driver {needed} or newer, and this machine has {found}"
+    text = f"{context.line.image} needs NVIDIA's driver {needed_driver} or newer, and this machine has {machine_driver}"
     raise RosmlError(text, "take an image with an older CUDA, or update the driver; --no-gpu computes on the CPU")
 
 
 def _not_built_for(context: Context) -> Iterator[tuple[str, str]]:
-    """The libraries of the image that have no code for a GPU of this machine."""
-    here = chips.capabilities(context.host)
-    for label, said in context.image.labels.items():
-        known, built = BUILT.fullmatch(label), said.split()
-        lacking = [f"sm_{major}{minor}" for major, minor in here if not chips.covers(built, (major, minor))]
-        if known and known[2] == context.host.architecture and lacking:
-            library, image = known[1], context.line.image
-            text = (
-                f"{library} in {image} was built for {' '.join(built)}, and this machine has the GPU {listed(lacking)}"
-            )
+    """A note for each library of the image that has no code for a GPU of this machine."""
+    capabilities = chips.capabilities(context.host)
+    for label, value in context.image.labels.items():
+        built_label, targets = BUILT.fullmatch(label), value.split()
+        lacking = [f"sm_{major}{minor}" for major, minor in capabilities if not chips.covers(targets, (major, minor))]
+        if built_label and built_label[2] == context.host.architecture and lacking:
+            library, image = built_label[1], context.line.image
+            text = f"{library} in {image} was built for {' '.join(targets)}, and this machine has the GPU {listed(lacking)}"
             yield text, f"take an image of another stack, or let {library} compute on the CPU"
 
 
@@ -118,8 +116,8 @@ def driver(host: Host) -> str:
 
 def numbers(version: str) -> tuple[int, ...]:
     """The numbers of a version, for comparisons; none if the text is no version, as an image may say anything."""
-    found = re.fullmatch(r"[0-9]{1,9}(\.[0-9]{1,9}){0,9}", version.strip())
-    return tuple(map(int, found[0].split("."))) if found else ()
+    match = re.fullmatch(r"[0-9]{1,9}(\.[0-9]{1,9}){0,9}", version.strip())
+    return tuple(map(int, match[0].split("."))) if match else ()
 
 
 def _rendering(context: Context) -> Sequence[str]:

@@ -16,8 +16,6 @@ ALONE = "private"
 """A network that a container shares with no other."""
 
 SHM = "/dev/shm"
-"""The folder of shared memory."""
-
 ROS_1 = ("indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
 """Distributions of ROS 1; our images also set ROS_VERSION."""
 
@@ -40,13 +38,30 @@ def share(network: str) -> str:
     return f"--ipc {network}; or without shared memory: {WITHOUT}"
 
 
+ROS_NETWORK = "ros-network"
+"""rosml's option for this machine's network. The engines take one network."""
+
+NETWORK = ("network", "net", "publish", "publish-all", "link", "ip", "ip6", "mac-address", "network-alias", "net-alias")
+"""Options for a network of the container's own."""
+
+
+def no_network(context: Context) -> str:
+    """Why a container cannot have this machine's network; empty if it can."""
+    line, engine = context.line, context.engine
+    if engine.rootless and not engine.podman:
+        return "docker without root does not reach this machine's network"
+    typed = next((option.words[0] for option in line.engine if set(option.names) & {*NETWORK}), "")
+    if typed and (line.values("network", "net") or [""])[-1] != HOST:
+        return f"it needs --network host, which does not go with {typed}"
+    return ""
+
+
 @dataclass(frozen=True)
 class Place:
     """A place where nodes run.
 
     Attributes:
         name: its name in messages.
-        environment: the variables there.
         network, ipc: `host`, `container:…`, a name, or `private`.
         uid: the owner of its files in shared memory, seen from outside; empty if unknown.
         default: the default RMW implementation; empty if unknown.
@@ -67,7 +82,6 @@ class Place:
 
     @property
     def rmw(self) -> str:
-        """The RMW implementation of ROS 2."""
         default = "rmw_cyclonedds_cpp" if self.environment.get("ROS_DISTRO") == "galactic" else DEFAULT
         return self.environment.get("RMW_IMPLEMENTATION") or self.default or default
 
@@ -79,7 +93,6 @@ class Place:
 
     @property
     def domain(self) -> str:
-        """The domain of ROS 2."""
         return self.environment.get("ROS_DOMAIN_ID") or "0"
 
     @property
@@ -95,9 +108,16 @@ class Place:
     def shares_memory(self) -> bool:
         """Whether nodes hand data to others on the same network through shared memory. Fast DDS does, unless variables turn it
         off; we do not read its settings files."""
-        told = self.environment.get("FASTDDS_BUILTIN_TRANSPORTS", "DEFAULT")
-        own = any(map(self.environment.get, ("FASTDDS_DEFAULT_PROFILES_FILE", "FASTRTPS_DEFAULT_PROFILES_FILE")))
-        return self.version == "2" and self.middleware == "fastrtps" and not own and not told.startswith("UDP")
+        transports = self.environment.get("FASTDDS_BUILTIN_TRANSPORTS", "DEFAULT")
+        has_profile = any(
+            map(self.environment.get, ("FASTDDS_DEFAULT_PROFILES_FILE", "FASTRTPS_DEFAULT_PROFILES_FILE"))
+        )
+        return (
+            self.version == "2"
+            and self.middleware == "fastrtps"
+            and not has_profile
+            and not transports.startswith("UDP")
+        )
 
     @property
     def joins_another(self) -> bool:
@@ -111,32 +131,23 @@ class Place:
 
 
 def planned(context: Context, argv: Sequence[str]) -> Place:
-    """The container that an engine's command would start.
-
-    Args:
-        argv: `docker run …`.
-    """
+    """The container that an engine's command `docker run …` would start."""
     line, engine = words.split(argv[2:], ()), context.engine
-    own = ALONE if engine.podman and engine.rootless else "bridge"
-    network = (line.values("network", "net") or [own])[-1]
+    default_network = ALONE if engine.podman and engine.rootless else "bridge"
+    network = (line.values("network", "net") or [default_network])[-1]
     mounted = any(SHM in mount for mount in line.values("volume", "mount"))
     environment = {**context.image.environment, **_variables(context, line)}
     user = environment.get("DOCKER_UID") or line.value("user").partition(":")[0]
     uid = "" if engine.rootless else _number(user or ("0" if "DOCKER_UID" in environment else ""))
     ipc = HOST if mounted else line.value("ipc") or ALONE
-    return Place("the container", environment, _named(network), ipc, uid, context.image.labels.get(RMW, ""))
+    return Place("the container", environment, _network_name(network), ipc, uid, context.image.labels.get(RMW, ""))
 
 
 def running(container: Container, rootless: bool) -> Place:
-    """A container that runs.
-
-    Args:
-        rootless: the engine runs without root's rights.
-    """
     ipc = HOST if SHM in container.mounts else container.ipc
     user = container.environment.get("DOCKER_UID") or container.user.partition(":")[0] or "0"
     uid, default = "" if rootless else _number(user), container.labels.get(RMW, "")
-    return Place(container.name, container.environment, _named(container.network), ipc, uid, default)
+    return Place(container.name, container.environment, _network_name(container.network), ipc, uid, default)
 
 
 def machine(context: Context) -> Place | None:
@@ -154,7 +165,7 @@ def _number(user: str) -> str:
     return user if user.isdecimal() else ""
 
 
-def _named(network: str) -> str:
+def _network_name(network: str) -> str:
     """The name of a network; docker has two names for the usual one."""
     network = network.removeprefix("name=").partition(",")[0]
     if network.startswith(("pasta", "slirp4netns")) or network == ALONE:
@@ -164,11 +175,11 @@ def _named(network: str) -> str:
 
 def _variables(context: Context, line: words.Line) -> dict[str, str]:
     """The variables that a command sets; those of a file count less. A variable without a value has the caller's."""
-    outer, found = context.host.environment, dict[str, str]()
+    outer, variables = context.host.environment, dict[str, str]()
     files = [context.host.text(f"{context.person.folder}/{x}" if x[:1] != "/" else x) for x in line.values("env-file")]
     entries = [entry for text in files for entry in text.replace("\r\n", "\n").split("\n") if not entry.startswith("#")]
     for entry in [*entries, *line.values("env")]:
         name, equals, value = entry.partition("=")
         if equals or name in outer:
-            found[name] = value if equals else outer[name]
-    return found
+            variables[name] = value if equals else outer[name]
+    return variables

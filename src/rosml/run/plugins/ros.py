@@ -8,7 +8,7 @@ from rosml.base.errors import RosmlError
 from rosml.run.context import Context
 from rosml.run.plugin import Added, Plugin
 from rosml.run.plugins import places
-from rosml.run.plugins.sockets import NETWORK, WHOLE_NETWORK, no_network
+from rosml.run.plugins.places import NETWORK, ROS_NETWORK, no_network
 
 ANYWHERE = {"1": ("ROS_MASTER_URI",), "2": ("ROS_DOMAIN_ID", "ROS_STATIC_PEERS")}
 """Variables for every container with this version of ROS."""
@@ -24,15 +24,11 @@ ON_REQUEST = ("RMW_IMPLEMENTATION",)
 
 
 def ros(context: Context) -> Added:
-    """The words that connect ROS in the container with that of this machine.
-
-    Raises:
-        RosmlError: the user asks for this machine's network, and the container cannot have it.
-    """
+    """The words that connect ROS in the container with that of this machine."""
     line = context.line
-    words = _network(context) if line.asks(WHOLE_NETWORK) else []
-    written = [word for given in line.engine for word in given.words]
-    planned = places.planned(context, [context.engine.program, "run", *words, *written, line.image])
+    words = _network(context) if line.asks(ROS_NETWORK) else []
+    typed = [word for option in line.engine for word in option.words]
+    planned = places.planned(context, [context.engine.program, "run", *words, *typed, line.image])
     if not line.asks("no-ros"):
         words += _own_name(context, planned)
         words += [word for name, value in _settings(context, planned).items() for word in ("-e", f"{name}={value}")]
@@ -43,17 +39,13 @@ def ros(context: Context) -> Added:
 
 
 def _network(context: Context) -> list[str]:
-    """This machine's network and shared memory; the user may have typed one of them.
-
-    Raises:
-        RosmlError: the container cannot have the network.
-    """
+    """This machine's network and shared memory; the user may have typed one of them."""
     line = context.line
     if reason := no_network(context):
         remedy = "--network host --ipc host reaches containers of the same docker"
         if not context.engine.rootless or context.engine.podman:
             remedy = "leave out one of them; on this machine's network, no port needs -p"
-        raise RosmlError(f"--{WHOLE_NETWORK}: {reason}", remedy, exit_code=2)
+        raise RosmlError(f"--{ROS_NETWORK}: {reason}", remedy, exit_code=2)
     network = [] if line.has(*NETWORK) else ["--network", "host"]
     return [*network, *([] if line.has("ipc") else ["--ipc", "host"])]
 
@@ -62,16 +54,18 @@ def _own_name(context: Context, planned: places.Place) -> list[str]:
     """The machine's name as an address, if its /etc/hosts, which docker copies, lacks it: systemd resolves it there, but in no
     image. Nodes of ROS 1 announce themselves by that name. podman writes it by itself."""
     name, hosts = context.host.name, context.host.text("/etc/hosts")
-    here = planned.version == "1" and planned.network == places.HOST and context.is_here and not context.engine.podman
-    known = not hosts or name in hosts.split() or context.line.has("add-host", "hostname", "uts")
-    return ["--add-host", f"{name}:127.0.0.1"] if here and name and not known else []
+    needs_name = (
+        planned.version == "1" and planned.network == places.HOST and context.is_here and not context.engine.podman
+    )
+    has_name = not hosts or name in hosts.split() or context.line.has("add-host", "hostname", "uts")
+    return ["--add-host", f"{name}:127.0.0.1"] if needs_name and name and not has_name else []
 
 
 def _settings(context: Context, planned: places.Place) -> Mapping[str, str]:
     """The variables to pass: those for the image's version of ROS that are set here."""
     version, here = planned.version, context.is_here and planned.network == places.HOST
     names: Sequence[str] = (*ANYWHERE.get(version, ()), *(ON_THE_NETWORK.get(version, ()) if here else ()))
-    if version == "2" and context.line.asks(WHOLE_NETWORK):
+    if version == "2" and context.line.asks(ROS_NETWORK):
         names = (*names, *ON_REQUEST)
     return {name: value for name in names if (value := context.host.environment.get(name))}
 
@@ -81,6 +75,6 @@ PLUGIN = Plugin(
     ros,
     {
         "no-ros": "not your settings of ROS, such as ROS_DOMAIN_ID",
-        WHOLE_NETWORK: "this machine's network and shared memory: nodes reach those of other containers and machines",
+        ROS_NETWORK: "this machine's network and shared memory: nodes reach those of other containers and machines",
     },
 )

@@ -10,11 +10,12 @@ from rosml.run.context import Container, Context, Host, Person
 from rosml.run.paths import bind
 from rosml.run.plugin import NOTHING, Added, Plugin
 from rosml.run.plugins import xauthority
+from rosml.run.plugins.places import NETWORK, ROS_NETWORK, no_network
 
-OURS = "/run/rosml"
+MOUNTS = "/run/rosml"
 """The folder of the container for rosml's own mounts."""
 
-COOKIE = f"{OURS}/xauth"
+COOKIE = f"{MOUNTS}/xauth"
 """The path of X11's cookie in a container."""
 
 DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>[0-9]{1,4})(?:\.[0-9]+)?")
@@ -22,13 +23,6 @@ DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>[0-9]{1,4})(?:\.
 
 LOCALHOST = ("localhost", "127.0.0.1")
 """The machine in a display of `ssh -X`."""
-
-NETWORK = ("network", "net", "publish", "publish-all", "link", "ip", "ip6", "mac-address", "network-alias", "net-alias")
-"""Options for a network of the container's own."""
-
-WHOLE_NETWORK = "ros-network"
-"""rosml's option for this machine's network. The engines take one network."""
-
 
 SNAP = "docker is a snap here, and a snap does not see the sockets of your session"
 OTHER = "install another docker: snap remove docker; apt-get install docker.io"
@@ -42,21 +36,15 @@ def runtime(host: Host, person: Person) -> str:
 
 
 def mounted(source: str, target: str) -> list[str]:
-    """The words that mount a file."""
     return ["--mount", bind(source, target)]
 
 
 def variables(**values: str) -> list[str]:
-    """The words for environment variables."""
     return [word for name, value in values.items() for word in ("-e", f"{name}={value}")]
 
 
 def _elsewhere(context: Context, option: str) -> Sequence[str]:
-    """No words: another machine, or a snap, gets no part of a session.
-
-    Raises:
-        RosmlError: the user asks for it.
-    """
+    """No words: another machine, or a snap, gets no part of a session. It is an error if the user asks for it."""
     if context.line.asks(option):
         if context.engine.snap:
             raise RosmlError(f"--{option}: {SNAP}", f"leave out --{option}, or {OTHER}")
@@ -70,29 +58,19 @@ def _reaches(context: Context) -> bool:
     return context.is_here and not context.engine.snap
 
 
-# ---- Windows ---------------------------------------------------------------------------------------------------------
-
-
 def windows(context: Context) -> Added:
-    """The display that answers: X11's; Wayland's if there is no X11, or if the user asks for it.
-
-    Raises:
-        RosmlError: the user asks for Wayland, and nothing answers.
-    """
+    """The display that answers: X11's; Wayland's if there is no X11, or if the user asks for it."""
     line = context.line
+    wants_x11 = not (line.asks("no-x11") or line.sets("DISPLAY"))
     if not _reaches(context):
         words = _elsewhere(context, "wayland")
-        wanted = context.host.environment.get("DISPLAY") and not (line.asks("no-x11") or line.sets("DISPLAY"))
-        return Added(
-            words,
-            notes=[(f"no windows: {SNAP}", f"{OTHER}; --no-x11 asks for none")] if wanted and context.is_here else [],
-        )
-    x11 = NOTHING if line.asks("no-x11") or line.sets("DISPLAY") else _x11(context)
-    wanted = line.asks("wayland")
-    if not wanted and (x11.words or line.asks("no-x11") or line.sets("DISPLAY", "WAYLAND_DISPLAY")):
+        misses_x11 = wants_x11 and context.host.environment.get("DISPLAY") and context.is_here
+        return Added(words, notes=[(f"no windows: {SNAP}", f"{OTHER}; --no-x11 asks for none")] if misses_x11 else [])
+    x11 = _x11(context) if wants_x11 else NOTHING
+    if not line.asks("wayland") and (x11.words or not wants_x11 or line.sets("WAYLAND_DISPLAY")):
         return x11
     wayland = _wayland(context)
-    if wanted and not wayland:
+    if line.asks("wayland") and not wayland:
         text = "--wayland: no Wayland socket answers here"
         raise RosmlError(text, "call it in a Wayland session; X11 needs no option")
     return Added([*x11.words, *wayland], x11.files) if wayland else x11
@@ -101,10 +79,10 @@ def windows(context: Context) -> Added:
 def _x11(context: Context) -> Added:
     """X11, if DISPLAY answers. Its cookie alone is in a file for each display, which only this user can read."""
     host, display = context.host, context.host.environment.get("DISPLAY", "")
-    named = DISPLAY.fullmatch(display)
-    if not named:
+    match = DISPLAY.fullmatch(display)
+    if not match:
         return NOTHING
-    machine, number = named["machine"], named["number"]
+    machine, number = match["machine"], match["number"]
     socket = f"/tmp/.X11-unix/X{number}"
     if machine in ("", "unix"):
         if not host.answers(socket):
@@ -116,8 +94,8 @@ def _x11(context: Context) -> Added:
         local = machine in LOCALHOST
         if local and (reason := no_network(context)):
             return Added(notes=[(f"no windows: DISPLAY={display} is ssh's, and {reason}", "--no-x11 asks for none")])
-        given = context.line.has(*NETWORK) or context.line.asks(WHOLE_NETWORK)
-        words = [*(["--network", "host"] if local and not given else []), *variables(DISPLAY=display)]
+        chooses_network = context.line.has(*NETWORK) or context.line.asks(ROS_NETWORK)
+        words = [*(["--network", "host"] if local and not chooses_network else []), *variables(DISPLAY=display)]
     words += variables(QT_X11_NO_MITSHM="1")  # the container shares no memory with the display
     cookie = _cookie(host, machine, number)
     if not cookie:  # the display may admit every process of this uid
@@ -132,31 +110,20 @@ def _x11(context: Context) -> Added:
 
 
 def _cookie(host: Host, machine: str, number: str) -> xauthority.Entry | None:
-    """The user's cookie for a display, given the machine and the number of `DISPLAY`."""
+    """The user's cookie for a display, from the machine and the number of `DISPLAY`."""
     place = host.environment.get("XAUTHORITY") or f"{host.environment.get('HOME', '')}/.Xauthority"
     remote = "" if machine in ("", "unix", *LOCALHOST) else machine
     return xauthority.cookie(xauthority.read(host.content(place)), number, remote or host.name, host.name)
 
 
-def files_again(host: Host, person: Person, kept: Container) -> Mapping[str, bytes]:
+def files_again(host: Host, person: Person, container: Container) -> Mapping[str, bytes]:
     """The session's files that a container has mounted. Write them before it starts again: a logout has removed them, and the
     display has a new cookie. Without a cookie the file is empty, and the container starts without windows."""
-    source, named = kept.sources.get(COOKIE, ""), DISPLAY.fullmatch(kept.environment.get("DISPLAY", ""))
-    if not named or source != f"{runtime(host, person)}/rosml/xauth-{named['number']}":
+    source, display = container.sources.get(COOKIE, ""), DISPLAY.fullmatch(container.environment.get("DISPLAY", ""))
+    if not display or source != f"{runtime(host, person)}/rosml/xauth-{display['number']}":
         return {}
-    cookie = _cookie(host, named["machine"], named["number"])
+    cookie = _cookie(host, display["machine"], display["number"])
     return {source: xauthority.written([cookie] if cookie else [])}
-
-
-def no_network(context: Context) -> str:
-    """Why a container cannot have this machine's network; empty if it can."""
-    line, engine = context.line, context.engine
-    if engine.rootless and not engine.podman:
-        return "docker without root does not reach this machine's network"
-    own = next((given.words[0] for given in line.engine if set(given.names) & {*NETWORK}), "")
-    if own and (line.values("network", "net") or [""])[-1] != "host":
-        return f"it needs --network host, which does not go with {own}"
-    return ""
 
 
 def _wayland(context: Context) -> list[str]:
@@ -165,31 +132,24 @@ def _wayland(context: Context) -> list[str]:
     socket = name if name.startswith("/") else f"{folder}/{name}" if folder else ""
     if not socket or not context.host.answers(socket):
         return []
-    inside, called = f"/run/user/{context.person.uid}", name.rpartition("/")[2]
+    inside, socket_name = f"/run/user/{context.person.uid}", name.rpartition("/")[2]
     toolkits = variables(QT_QPA_PLATFORM="wayland;xcb", GDK_BACKEND="wayland,x11")
-    session = variables(XDG_RUNTIME_DIR=inside, WAYLAND_DISPLAY=called)
-    return [*mounted(socket, f"{inside}/{called}"), *session, *toolkits]
-
-
-# ---- On request ------------------------------------------------------------------------------------------------------
+    session = variables(XDG_RUNTIME_DIR=inside, WAYLAND_DISPLAY=socket_name)
+    return [*mounted(socket, f"{inside}/{socket_name}"), *session, *toolkits]
 
 
 def sound(context: Context) -> Sequence[str]:
-    """PulseAudio's socket, which PipeWire also has, and PipeWire's own.
-
-    Raises:
-        RosmlError: neither answers.
-    """
+    """PulseAudio's socket, which PipeWire also has, and PipeWire's own."""
     host, line, folder = context.host, context.line, runtime(context.host, context.person)
     if not _reaches(context):
         return _elsewhere(context, "sound")
     if not line.asks("sound") or line.sets("PULSE_SERVER"):
         return []
     inside = f"/run/user/{context.person.uid}"
-    named = host.environment.get("PULSE_SERVER", "").removeprefix("unix:")
-    pulse = named if named.startswith("/") else f"{folder}/pulse/native"
+    server = host.environment.get("PULSE_SERVER", "").removeprefix("unix:")
+    pulse = server if server.startswith("/") else f"{folder}/pulse/native"
     words = []
-    if (named or folder) and host.answers(pulse):
+    if (server or folder) and host.answers(pulse):
         words += [*mounted(pulse, f"{inside}/pulse/native"), *variables(PULSE_SERVER=f"unix:{inside}/pulse/native")]
     if folder and host.answers(f"{folder}/pipewire-0"):
         words += [
@@ -202,16 +162,11 @@ def sound(context: Context) -> Sequence[str]:
 
 
 def ssh_agent(context: Context) -> Sequence[str]:
-    """The socket of ssh's agent.
-
-    Raises:
-        RosmlError: there is none.
-    """
     if not _reaches(context):
         return _elsewhere(context, "ssh-agent")
     if not context.line.asks("ssh-agent") or context.line.sets("SSH_AUTH_SOCK"):
         return []
-    socket, target = context.host.environment.get("SSH_AUTH_SOCK", ""), f"{OURS}/ssh-agent"
+    socket, target = context.host.environment.get("SSH_AUTH_SOCK", ""), f"{MOUNTS}/ssh-agent"
     if not socket.startswith("/") or not context.host.answers(socket):
         raise RosmlError("--ssh-agent: no agent answers here", 'eval "$(ssh-agent)"; ssh-add')
     return [*mounted(socket, target), *variables(SSH_AUTH_SOCK=target)]

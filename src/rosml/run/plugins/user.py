@@ -10,30 +10,9 @@ from rosml.run.context import Context
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]{0,31}")
 """The names that an image's entrypoint takes for DOCKER_USER."""
 
-SYSTEM = frozenset(
-    [
-        "_apt",
-        "backup",
-        "bin",
-        "daemon",
-        "games",
-        "gnats",
-        "irc",
-        "list",
-        "lp",
-        "mail",
-        "man",
-        "messagebus",
-        "news",
-        "nobody",
-        "proxy",
-        "root",
-        "sshd",
-        "sync",
-        "sys",
-        "uucp",
-        "www-data",
-    ]
+SYSTEM = (
+    *("_apt", "backup", "bin", "daemon", "games", "gnats", "irc", "list", "lp", "mail", "man", "messagebus", "news"),
+    *("nobody", "proxy", "root", "sshd", "sync", "sys", "uucp", "www-data"),
 )
 """Names of system users in images. They have their own uids, so an entrypoint makes no second one."""
 
@@ -63,28 +42,31 @@ def user(context: Context) -> Sequence[str]:
     - In docker without root, root is the user.
     - If the user chooses who runs, nothing is added, except `_entry` with --mwd, which sets the working directory.
     """
-    line, engine = context.line, context.engine
-    if line.asks("no-user") or line.has("user") or (engine.podman and line.has("userns")):
-        return _entry(context, NO_ENTRY) if line.asks("mwd") else []
+    engine = context.engine
+    if _is_chosen(context):
+        return _entry(context, NO_ENTRY) if context.line.asks("mwd") else []
     makes_users = claims(context) and (context.trusted or not _gains(context))
     root = ["--user", "0:0"]
     as_root = context.image.user.partition(":")[0] in ("", "0", "root")
     if engine.rootless and not engine.podman:
         return [] if makes_users and as_root else root
-    kept = [KEPT] if engine.rootless else []
+    namespace = [KEPT] if engine.rootless else []
     if not makes_users:
-        return [*kept, *_bare(context), *(_locked(context) if _gains(context) else [])]
-    if kept:
-        return [*kept, *root, *_entry(context, NO_ENTRY), *_contract(context)]
+        return [*namespace, *_bare(context), *(_locked(context) if _gains(context) else [])]
+    if namespace:
+        return [*namespace, *root, *_entry(context, NO_ENTRY), *_contract(context)]
     return [*([] if as_root else root), *_contract(context)]
 
 
 def needs_trust(context: Context) -> bool:
     """Whether the user's trust decides who runs: the image wants to start as root, root in it has more rights than the user, and
     the user does not choose who runs."""
+    return claims(context) and _gains(context) and not _is_chosen(context)
+
+
+def _is_chosen(context: Context) -> bool:
     line = context.line
-    said = line.asks("no-user") or line.has("user") or (context.engine.podman and line.has("userns"))
-    return claims(context) and _gains(context) and not said
+    return line.asks("no-user") or line.has("user") or (context.engine.podman and line.has("userns"))
 
 
 def claims(context: Context) -> bool:
@@ -111,19 +93,15 @@ def _bare(context: Context) -> Sequence[str]:
 def _entry(context: Context, option: str) -> Sequence[str]:
     """The option about podman's entry in the container's /etc/passwd, for a user whom the image lacks. In podman's own entry the
     home is the working directory, and so a mounted project: programs would leave their files in it. Nothing if the user types such
-    an option, or podman is too old for it.
-
-    Args:
-        option: the wanted option.
-    """
+    an option, or podman is too old for it."""
     engine = context.engine
     return [option] if engine.podman and engine.passwd and not context.line.has(*ENTRY) else []
 
 
 def _locked(context: Context) -> Sequence[str]:
     """The option against more rights than at the start, unless the user types another value."""
-    said = any(value.startswith(LOCKED) for value in context.line.values("security-opt"))
-    return [] if said else ["--security-opt", LOCKED]
+    is_typed = any(value.startswith(LOCKED) for value in context.line.values("security-opt"))
+    return [] if is_typed else ["--security-opt", LOCKED]
 
 
 def _contract(context: Context) -> Sequence[str]:
@@ -131,10 +109,9 @@ def _contract(context: Context) -> Sequence[str]:
     person = context.person
     facts = {VARIABLE: person.uid, "DOCKER_GID": person.gid}
     fits = NAME.fullmatch(person.name) and person.name not in SYSTEM
-    named = {"DOCKER_USER": person.name} if fits else {}
-    return _variables({**facts, **named})
+    name = {"DOCKER_USER": person.name} if fits else {}
+    return _variables({**facts, **name})
 
 
 def _variables(facts: Mapping[str, object]) -> list[str]:
-    """The words for environment variables."""
     return [word for key, value in facts.items() for word in ("-e", f"{key}={value}")]

@@ -10,20 +10,11 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 LOCAL, WILD = 256, 65535
-"""Families: a machine by its name, and any address."""
 
 
 @dataclass(frozen=True)
 class Entry:
-    """A cookie.
-
-    Attributes:
-        family: the kind of the address.
-        address: the machine.
-        number: the display's number; empty for any.
-        kind: the kind of secret, such as `MIT-MAGIC-COOKIE-1`.
-        secret: the secret.
-    """
+    """A cookie. `number` is the display's; empty for any. `kind` is that of the secret, such as `MIT-MAGIC-COOKIE-1`."""
 
     family: int
     address: bytes
@@ -34,7 +25,7 @@ class Entry:
 
 def read(content: bytes) -> list[Entry]:
     """The entries of a file, up to the first damaged one."""
-    found, at = [], 0
+    entries, at = [], 0
     while at + 2 <= len(content):
         family, at = int.from_bytes(content[at : at + 2]), at + 2
         fields = []
@@ -44,8 +35,8 @@ def read(content: bytes) -> list[Entry]:
             at += 2 + size
         if at > len(content):
             break
-        found.append(Entry(family, *fields))
-    return found
+        entries.append(Entry(family, *fields))
+    return entries
 
 
 def written(entries: Iterable[Entry]) -> bytes:
@@ -60,13 +51,7 @@ def written(entries: Iterable[Entry]) -> bytes:
 
 def cookie(entries: Sequence[Entry], number: str, machine: str, here: str) -> Entry | None:
     """The entry for a display, changed to fit any machine, because a container has another name. An entry of the display's machine
-    comes first. An entry of this machine fits no display of another one.
-
-    Args:
-        number: the display's number.
-        machine: the display's machine.
-        here: this machine.
-    """
+    comes first. An entry of this machine, `here`, fits no display of another one."""
     fitting = [entry for entry in entries if entry.number in (b"", number.encode())]
     ranked = sorted(fitting, key=lambda entry: not _is_of(entry, machine))
     best = next((entry for entry in ranked if machine == here or not _is_of(entry, here)), None)

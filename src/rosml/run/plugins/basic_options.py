@@ -1,7 +1,7 @@
-"""The options that rosml adds to `docker run`: a small function for each concern, from the facts to words for the engine.
+"""The options of every container: removal, terminal, name, label, time to stop, time zone, locale, mounts.
 
 The user's own options follow them. Of two that set the same thing, the engines take the last one, which is the user's. If the
-engines would take both, or refuse two, a concern adds nothing. An `--env-file` ranks below every `-e`.
+engines would take both, or refuse two, nothing is added. An `--env-file` ranks below every `-e`.
 """
 
 from __future__ import annotations
@@ -18,14 +18,14 @@ from rosml.run.words import Line
 TARGET = "src/target"
 """The path in the workspace at which --mws mounts a folder."""
 
-OURS = "io.rosml.component"
+COMPONENT_LABEL = "io.rosml.component"
 """A label of all our images."""
 
 GRACE = 30
 """Seconds that a container has to stop. The engines' default is 10, but `ros2 launch` kills a hanging node only after 10, and
 roslaunch after 17 (docs/stopping.md)."""
 
-FOLDER = "io.rosml.run.folder"
+FOLDER_LABEL = "io.rosml.run.folder"
 """The label of a container with the folder from which it was started."""
 
 
@@ -36,7 +36,6 @@ def removal(context: Context) -> Sequence[str]:
 
 
 def terminal(context: Context) -> Sequence[str]:
-    """Standard input and a terminal."""
     return streams(context.line, context.person)
 
 
@@ -50,12 +49,12 @@ def streams(line: Line, person: Person) -> Sequence[str]:
 
 def label(context: Context) -> Sequence[str]:
     """The container's folder: `rosml attach` finds the container by it."""
-    return ["--label", f"{FOLDER}={context.person.folder}"]
+    return ["--label", f"{FOLDER_LABEL}={context.person.folder}"]
 
 
 def grace(context: Context) -> Sequence[str]:
     """Time to save data, in our images, in which a stop reaches all programs. Other images may ignore a stop."""
-    listens = OURS in context.image.labels and claims(context)
+    listens = COMPONENT_LABEL in context.image.labels and claims(context)
     return ["--stop-timeout", str(GRACE)] if listens and not context.line.has("stop-timeout") else []
 
 
@@ -71,36 +70,29 @@ def name_of(line: Line, person: Person) -> str:
 
 
 def as_name(text: str) -> str:
-    """Text with only the characters of a container's name; empty if fewer than two are left."""
+    """Text with only the characters of a container's name; empty if fewer than two remain."""
     name = re.sub(r"[^A-Za-z0-9_.-]+", "-", text).strip("-_.")
     return name if len(name) > 1 else ""
 
 
 def name(context: Context) -> Sequence[str]:
-    """A name by which users find the container, unless they typed one."""
-    found = "" if context.line.has("name") else name_of(context.line, context.person)
-    return ["--name", found] if found else []
+    container_name = "" if context.line.has("name") else name_of(context.line, context.person)
+    return ["--name", container_name] if container_name else []
 
 
 def timezone(context: Context) -> Sequence[str]:
-    """The user's time zone; podman has an option for it."""
     line, zone = context.line, context.person.timezone
     return [] if line.asks("no-tz") or line.has("tz") or not zone else ["-e", f"TZ={zone}"]
 
 
 def locale(context: Context) -> Sequence[str]:
-    """The user's locale."""
     if not context.line.asks("loc"):
         return []
     return [word for key, value in context.person.locale.items() for word in ("-e", f"{key}={value}")]
 
 
 def mounts(context: Context) -> Sequence[str]:
-    """The current folder, at its own path, in which the command then begins, and in the image's workspace.
-
-    Raises:
-        RosmlError: the image has no workspace.
-    """
+    """The current folder, at its own path, in which the command then begins, and in the image's workspace."""
     line, folder, added = context.line, context.person.folder, list[str]()
     for target in targets(line, folder, context.image.environment):
         added += ["--mount", paths.bind(folder, target), *(["--workdir", folder] if target == folder else [])]
@@ -109,30 +101,19 @@ def mounts(context: Context) -> Sequence[str]:
 
 def labels(context: Context, added: Sequence[str]) -> Sequence[str]:
     """No SELinux label, as in toolbox and distrobox: with one, a container could not read our mounts. Another label on them
-    (`-v …:z`) would stay on the user's files, and sockets of their session cannot have one.
-
-    Args:
-        added: the options that rosml adds.
-    """
+    (`-v …:z`) would stay on the user's files, and sockets of their session cannot have one. `added` are rosml's options."""
     line = context.line
-    said = line.has("privileged") or any(value.startswith("label") for value in line.values("security-opt"))
-    return ["--security-opt", "label=disable"] if context.engine.selinux and "--mount" in added and not said else []
+    is_typed = line.has("privileged") or any(value.startswith("label") for value in line.values("security-opt"))
+    return ["--security-opt", "label=disable"] if context.engine.selinux and "--mount" in added and not is_typed else []
 
 
 def targets(line: Line, folder: str, environment: Mapping[str, str]) -> Sequence[str]:
-    """The paths at which --mwd and --mws mount the current folder.
-
-    Args:
-        environment: the variables of the image or the container.
-
-    Raises:
-        RosmlError: the image has no workspace.
-    """
-    found = [folder] if line.asks("mwd") else []
+    """The paths at which --mwd and --mws mount the current folder. The environment is that of the image or the container."""
+    paths_inside = [folder] if line.asks("mwd") else []
     if line.asks("mws"):
         workspace = environment.get("WORKSPACE", "").rstrip("/")
         if not workspace:
             text = f"{line.image or 'the image'} has no workspace: WORKSPACE is not in its environment"
             raise RosmlError(text, "mount the folder with --mwd, or with -v .:/where", exit_code=2)
-        found.append(f"{workspace}/{TARGET}")
-    return found
+        paths_inside.append(f"{workspace}/{TARGET}")
+    return paths_inside
