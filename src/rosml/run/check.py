@@ -358,7 +358,7 @@ def _apart(place: Place, running: Place) -> Iterator[tuple[str, str]]:
     elif place.joins_another and place.shares_memory and running.shares_memory:
         if place.ipc != within and not place.ipc == running.ipc == place.network:
             option = "" if place.has_their_memory else WHOLE
-            remedy = f"{option or f'start running with {WHOLE}'}; or without shared memory: {places.WITHOUT}"
+            remedy = f"{option or f'start it with {WHOLE}'}; or without shared memory: {places.WITHOUT}"
             yield "it does not have the same shared memory", remedy
         elif place.uid and running.uid and place.uid != running.uid:
             yield f"its user is {running.uid}", f"--user {running.uid}; or without shared memory: {places.WITHOUT}"

@@ -73,7 +73,7 @@ def test_those_who_read_the_files_understand_them(tmp_path: Path, registry: list
     assert values.image_name == "my-robot"
     assert list(app_inputs.answers(folder, {})) == []
     project = defaults.files({"XDG_CONFIG_HOME": str(tmp_path)}, str(folder), ["--mws"], []).project
-    assert project and (project.line.image, project.line.own) == ("my-robot:latest-dev", ("--mws",))
+    assert project and (project.line.image, project.line.rosml) == ("my-robot:latest-dev", ("--mws",))
     ignored = IgnoredFiles(folder)
     assert ignored(folder / ".env") and ignored.whole(folder / ".git") and ignored.whole(folder / "build")
     assert [path.parent.name for path in workspace.manifests(folder, ignored=ignored)] == ["arm"]

@@ -10,8 +10,8 @@ from fakes.desks import BARE, OTHER, OURS
 from rosml.cli.run import run
 from rosml.cli.run.export import KINDS
 from rosml.run.context import Context, Engine, Host, Image, Person
-from rosml.run.exports import description as export
-from rosml.run.plugins import apply as plugins
+from rosml.run.exports.description import Call, describe
+from rosml.run.plan import make_plan
 from rosml.run.words import split
 
 ME = Person(1234, 5678, "jo", "/home/jo/robot", "Europe/Berlin")
@@ -30,7 +30,7 @@ def call(
     person: Person = ME,
     place: str = "",
     **facts: Any,
-) -> export.Call:
+) -> Call:
     """What would run of a command line that has an image.
 
     Args:
@@ -40,7 +40,7 @@ def call(
     image = Image(**{"environment": variables, "command": ("bash",), **facts})
     context = KINDS[kind].seen(Context(split(line, OWN), engine, person, image, host, trusted))
     context = KINDS[kind].settled(context)
-    return export.call(context, plugins.plan(context).argv, place)
+    return describe(context, make_plan(context).argv, place)
 
 
 def text(*line: str, kind: str, **facts: Any) -> str:

@@ -71,11 +71,10 @@ from rosml.registry import answers, challenge, credentials, oci, references
 from rosml.registry.client import Registry
 from rosml.registry.documents import Descriptor
 from rosml.registry.place import Place
-from rosml.run import check, consent, defaults, engine, paths
-from rosml.run import repeated_options as taken
+from rosml.run import check, consent, defaults, engine, paths, repeated_options
 from rosml.run.context import Context, Engine, Host, Image, Person
 from rosml.run.exports import compose, compose_file, devcontainer, kubernetes, quadlet
-from rosml.run.exports import description as export
+from rosml.run.exports.description import describe
 from rosml.run.plugins import places, xauthority
 from rosml.run.words import split
 
@@ -568,7 +567,7 @@ def defaults_of(document: bytes, folder: Path) -> object:
     (folder / ".rosml.toml").write_bytes(document)
     environment = {"XDG_CONFIG_HOME": str(folder / "none")}
     project_file = defaults.files(environment, str(folder), ["--mws"], ["--new"]).project
-    return project_file and consent.wanted(project_file.line, trusted=False)
+    return project_file and consent.questionable(project_file.line, trusted=False)
 
 
 def words_of(document: bytes, folder: Path) -> object:
@@ -580,11 +579,11 @@ def words_of(document: bytes, folder: Path) -> object:
     )
     argv = ["docker", "run", *(word for option in line.engine for word in option.words), "ros:jazzy"]
     findings = check.findings(context, places.planned(context, argv), [], ())
-    placed = [(taken.without(option, line.engine[:1]), paths.anchored(option, "/x")) for option in line.engine]
+    placed = [(repeated_options.without(option, line.engine[:1]), paths.anchored(option, "/x")) for option in line.engine]
     for write in (kubernetes.text, quadlet.text, devcontainer.text):
         with contextlib.suppress(RosmlError):
-            write(export.call(context, argv))
-    return findings, placed, compose.text(export.call(context, argv))
+            write(describe(context, argv))
+    return findings, placed, compose.text(describe(context, argv))
 
 
 def kernel_of(document: bytes, folder: Path) -> object:

@@ -22,8 +22,8 @@ from rosml.cli.run import run
 from rosml.run import engine, person
 from rosml.run.context import Context, Engine, Image, Person
 from rosml.run.paths import bind, resolved
-from rosml.run.plugins import apply as plugins
-from rosml.run.plugins import concerns
+from rosml.run.plan import make_plan
+from rosml.run.plugins import basic_options
 from rosml.run.plugins.user import NAME
 from rosml.run.words import split
 
@@ -511,7 +511,7 @@ def added(
     variables = dict(entry.partition("=")[::2] for entry in image)
     line = split([*words, "reg.test/me/ros:jazzy"], OWN)
     argv = [
-        *plugins.plan(
+        *make_plan(
             Context(line, engine, caller, Image(environment=variables, labels=labels or {}, user=user), BARE, trusted)
         ).argv
     ]
@@ -840,7 +840,7 @@ def test_what_goes_with_no_removal(words: list[str]) -> None:
 )
 def test_the_containers_name(folder: str, image: str, name: str) -> None:
     def named(*words: str, terminal: bool = True) -> str:
-        return concerns.name_of(split([*words, image], OWN), Person(0, 0, "root", folder, terminal=terminal))
+        return basic_options.name_of(split([*words, image], OWN), Person(0, 0, "root", folder, terminal=terminal))
 
     assert named() == name
     assert named("--name", "mine") == "mine"

@@ -18,7 +18,7 @@ from fakes.desks import OTHER, USER, Desk
 from rosml.base.errors import RosmlError
 from rosml.run import consent, defaults, host, paths, words
 from rosml.run.defaults import File, Files
-from rosml.run.plugins.apply import OWN as OURS
+from rosml.run.plugins.discovery import BUILT_IN
 from rosml.run.words import split
 from tests.pages import blocks
 
@@ -233,15 +233,15 @@ def test_the_page_shows_what_is_there(tmp_path: Path) -> None:
     file = defaults.files({}, str(tmp_path), ["--mws"], ()).project
     assert file
     (question,) = [block.text for block in blocks(ROOT / "docs/run/defaults.md") if " wants:" in block.text]
-    items = [item.replace(str(tmp_path), "/home/me/robot") for item in consent.wanted(file.line, trusted=True)]
+    items = [item.replace(str(tmp_path), "/home/me/robot") for item in consent.questionable(file.line, trusted=True)]
     assert question.splitlines()[1:-1] == [f"  {item}" for item in items]
     table = page.partition("Only these need no question:")[2].partition("Everything else")[0]
     letters = {f"-{letter}": f"--{long}" for letter, long in words.table().letters.items()}
     listed = {letters.get(word, word) for word in re.findall(r"`(--?[a-z0-9-]+)`", table)}
-    assert listed == consent.OWN | {f"--{name}" for name in {*consent.ENGINES, "env"}}
+    assert listed == consent.HARMLESS | {f"--{name}" for name in {*consent.HARMLESS_OF_ENGINE, "env"}}
     variables = {*re.findall("`([A-Z_]+)`", table)}
-    assert variables and all(consent.VARIABLE.fullmatch(f"{name}=x") for name in variables)
-    assert variables == {*re.findall("[A-Z_]{4,}", consent.VARIABLE.pattern)}
+    assert variables and all(consent.HARMLESS_VARIABLE.fullmatch(f"{name}=x") for name in variables)
+    assert variables == {*re.findall("[A-Z_]{4,}", consent.HARMLESS_VARIABLE.pattern)}
 
 
 # ---- Files that are wrong --------------------------------------------------------------------------------------------
@@ -321,19 +321,19 @@ ASKED += ["--env-file x", "-e SECRET", "-eSECRET", "-e LD_PRELOAD=/x", "-e ROS_D
 ASKED += ["--env=ROS_*", "--gpus all", "--entrypoint x", "-p 80:80", "--label a=b", "--unheard-of=true", "-w /x"]
 ASKED += ["-Pit", "-e 'ROS_DOMAIN_ID=7 a'", "-e RMW_IMPLEMENTATION=a/../b"]
 ASKED += ["--ros-network", "--no-user", "--sound", "--ssh-agent", "--wayland", "--runtime=x", "--pull=always", "-P"]
-OWN = [f"--{name}" for plugin in OURS for name in plugin.options]
+OWN = [f"--{name}" for plugin in BUILT_IN for name in plugin.options]
 
 
 @pytest.mark.parametrize("option", HARMLESS)
 def test_what_needs_no_question(option: str) -> None:
     line = split(shlex.split(option), OWN)
-    assert consent.wanted(line, trusted=True) == [] and consent.wanted(line, trusted=False) == [option]
+    assert consent.questionable(line, trusted=True) == [] and consent.questionable(line, trusted=False) == [option]
 
 
 @pytest.mark.parametrize("option", ASKED)
 def test_what_is_asked_about(option: str) -> None:
     given = shlex.split(option)
-    assert consent.wanted(split(given, OWN), trusted=True) == [shlex.join(given)]
+    assert consent.questionable(split(given, OWN), trusted=True) == [shlex.join(given)]
 
 
 def test_whose_file_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -459,7 +459,7 @@ def test_what_a_link_leads_to_is_what_somebody_allows(option: str, tmp_path: Pat
             (here / place).unlink(missing_ok=True)
             (here / place).symlink_to(target)
         file = of_project(here)
-        said = [item for item in consent.wanted(file.line, True, file.leads, str(here)) if "a link to" in item]
+        said = [item for item in consent.questionable(file.line, True, file.leads, str(here)) if "a link to" in item]
         assert len(said) == 1 and f"a link to {target}" in said[0]
         assert ("outside the project" in said[0]) == (target == secret)
         assert str(target) in file.line.engine[-1].words[-1], "the engine gets what is asked about"

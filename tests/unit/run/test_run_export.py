@@ -23,8 +23,8 @@ from rosml.cli.run.export import KINDS
 from rosml.run import words
 from rosml.run.context import Context, Host, Image
 from rosml.run.exports import compose, devcontainer
-from rosml.run.exports import description as export
-from rosml.run.plugins import apply as plugins
+from rosml.run.exports import description
+from rosml.run.plan import make_plan
 from rosml.run.words import split
 
 QUIET = ("--no-tz", "--no-it", "--no-user")
@@ -165,7 +165,7 @@ def test_networks_and_volumes_are_those_that_the_engine_has() -> None:
 VALUES = {"name": "n78", "gpus": "device=78", "mount": "source=78,target=/x", "cgroupns": "private", "pull": "missing"}
 
 
-@pytest.mark.parametrize("name", sorted(words.table().names - {*export.OF_A_CALL}))
+@pytest.mark.parametrize("name", sorted(words.table().names - {*description.OF_A_CALL}))
 def test_no_option_gets_lost(name: str) -> None:
     """It is in the file, or an error names it; a terminal and an entrypoint are the editor's."""
     value = VALUES.get(name, "78=9") if name in words.table().values else ""
@@ -180,7 +180,7 @@ def test_no_option_gets_lost(name: str) -> None:
         assert ("78" if "78" in value else value) in json.dumps(container(*QUIET, option, "x"))
 
 
-@pytest.mark.parametrize("name", export.OF_A_CALL)
+@pytest.mark.parametrize("name", description.OF_A_CALL)
 def test_what_is_of_one_call(name: str) -> None:
     option = f"--{name}" + ("=78" if name in words.table().values else "")
     assert service(*QUIET, option, "x") == service(*QUIET, "x")
@@ -544,4 +544,4 @@ def test_a_variable_of_editors_in_a_strangers_text_is_refused(text: str) -> None
     )
     context = kind.settled(kind.seen(Context(split(["--mws", "img"], OWN), DOCKER, ME, image, BARE, True)))
     with pytest.raises(RosmlError, match="an editor puts in something of your machine"):
-        kind.text(export.call(context, plugins.plan(context).argv, ""))
+        kind.text(description.describe(context, make_plan(context).argv, ""))

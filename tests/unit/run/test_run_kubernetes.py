@@ -14,7 +14,7 @@ from fakes.exports import call, text
 from rosml.base.errors import RosmlError
 from rosml.run import words
 from rosml.run.context import Health
-from rosml.run.exports import description as export
+from rosml.run.exports import description
 from rosml.run.exports import kubernetes
 
 RELEASES = ("1.30", "1.37")
@@ -140,7 +140,7 @@ def test_an_option_of_the_pod(written: list[str], expected: dict[str, Any]) -> N
     assert pod(*QUIET, *written, "x") == expected
 
 
-@pytest.mark.parametrize("name", sorted(words.table().names - {*export.OF_A_CALL}))
+@pytest.mark.parametrize("name", sorted(words.table().names - {*description.OF_A_CALL}))
 def test_no_option_gets_lost(name: str) -> None:
     """It is in the file, or an error names it."""
     values = {
@@ -180,7 +180,7 @@ def test_no_option_gets_lost(name: str) -> None:
     try:
         found = text(*QUIET, *health, option, "x", kind="kubernetes")
     except RosmlError as error:
-        assert export.SYNONYMS.get(name, name) in error.message or f"-{name[0]} " in error.message, error.message
+        assert description.SYNONYMS.get(name, name) in error.message or f"-{name[0]} " in error.message, error.message
         assert error.remedy and error.exit_code == 2
         return
     quiet = (*kubernetes.DROPPED, "init", "no-healthcheck", "restart")
@@ -319,7 +319,7 @@ def test_what_a_reader_in_go_takes_for_a_switch_has_quotes() -> None:
 
 
 def test_a_shell_ends_at_once() -> None:
-    assert export.lacking_command(call("x", kind="kubernetes"))
-    assert not export.lacking_command(call("x", "sleep", "1", kind="kubernetes"))
-    assert not export.lacking_command(call("x", kind="kubernetes", command=("ros2", "launch")))
-    assert not export.lacking_command(call("--entrypoint", "/start", "x", kind="kubernetes"))
+    assert description.lacking_command(call("x", kind="kubernetes"))
+    assert not description.lacking_command(call("x", "sleep", "1", kind="kubernetes"))
+    assert not description.lacking_command(call("x", kind="kubernetes", command=("ros2", "launch")))
+    assert not description.lacking_command(call("--entrypoint", "/start", "x", kind="kubernetes"))

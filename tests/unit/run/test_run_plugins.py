@@ -24,9 +24,10 @@ from rosml.cli.run import run
 from rosml.images.image_set import labels
 from rosml.run import host
 from rosml.run.context import Address, Context, Engine, Host, Image, Person
-from rosml.run.plugin import Added, Plugin, in_order
-from rosml.run.plugins import apply as plugins
-from rosml.run.plugins import chips, devices, gpu, sockets, xauthority
+from rosml.run.plugin import Added, Plugin
+from rosml.run.plan import make_plan
+from rosml.run.plugins import chips, devices, discovery, gpu, sockets, xauthority
+from rosml.run.plugins.discovery import BUILT_IN, in_order
 from rosml.run.plugins.xauthority import LOCAL, WILD, Entry
 from rosml.run.words import split
 
@@ -753,7 +754,7 @@ def test_where_plugins_are_looked_for(tmp_path: Path) -> None:
     (tmp_path / "a/odd-1.dist-info/entry_points.txt").write_bytes(b"\xff")
     (tmp_path / "a/none-1.dist-info").mkdir()
     places = [str(tmp_path / "a"), str(tmp_path / "a"), str(tmp_path / "missing"), ""]
-    assert [*plugins.registered(places)] == [("theirs", "one", "theirs:good"), ("theirs", "two", "theirs:late")]
+    assert [*discovery.registered(places)] == [("theirs", "one", "theirs:good"), ("theirs", "two", "theirs:late")]
 
 
 def test_the_order_of_plugins() -> None:
@@ -768,12 +769,12 @@ def test_the_order_of_plugins() -> None:
 
 
 def test_rosmls_own_plugins() -> None:
-    found = plugins.found((), [])
-    assert (found.plugins, found.notes) == (plugins.OWN, ())
-    assert len({plugin.name for plugin in plugins.OWN}) == len(plugins.OWN)
+    found = discovery.discover((), [])
+    assert (found.plugins, found.notes) == (BUILT_IN, ())
+    assert len({plugin.name for plugin in BUILT_IN}) == len(BUILT_IN)
     broken = Plugin("broken", lambda context: [][1])
     with pytest.raises(IndexError):  # a fault of rosml's is not passed over
-        plugins.plan(Context(split(["x"], ()), Engine(), ME, Image(), BARE), [broken])
+        make_plan(Context(split(["x"], ()), Engine(), ME, Image(), BARE), [broken])
 
 
 def test_the_plugin_that_the_docs_show() -> None:
@@ -783,6 +784,6 @@ def test_the_plugin_that_the_docs_show() -> None:
     names: dict[str, Any] = {}
     exec(code, names)
     context = Context(split(["--lidar", "x"], ["--lidar"]), Engine(), ME, Image(), BARE)
-    assert plugins.plan(context, [names["lidar"]]).argv == ("docker", "run", "--device", "/dev/ttyUSB0", "x")
+    assert make_plan(context, [names["lidar"]]).argv == ("docker", "run", "--device", "/dev/ttyUSB0", "x")
     listed = re.findall(r"`([a-z-]+)`", page.partition("order it among the others: ")[2].partition(".")[0])
-    assert listed == [plugin.name for plugin in plugins.OWN]
+    assert listed == [plugin.name for plugin in BUILT_IN]

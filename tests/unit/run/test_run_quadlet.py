@@ -20,7 +20,7 @@ from fakes.exports import ME, PODMAN, text
 from rosml.base.errors import RosmlError
 from rosml.run import words
 from rosml.run.context import Engine, Host
-from rosml.run.exports import description as export
+from rosml.run.exports import description
 from rosml.run.exports import quadlet
 from tests.pages import blocks, commands
 
@@ -164,7 +164,7 @@ def test_what_systemd_does(written: list[str], expected: dict[str, str]) -> None
     assert found.items() >= expected.items() and ("TimeoutStopSec" in found) == ("TimeoutStopSec" in expected)
 
 
-@pytest.mark.parametrize("name", sorted(words.table().names - {*export.OF_A_CALL, *quadlet.DROPPED, "restart"}))
+@pytest.mark.parametrize("name", sorted(words.table().names - {*description.OF_A_CALL, *quadlet.DROPPED, "restart"}))
 def test_no_option_gets_lost(name: str) -> None:
     """podman gets it with its whole value, or an error names it."""
     values = {"name": "n78", "gpus": "device=78", "mount": "type=tmpfs,target=/a b/%h"}

@@ -18,7 +18,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli.run import run
 from rosml.run import check, host
 from rosml.run.context import Address, Container, Context, Engine, Host, Image, Person
-from rosml.run.plugins import apply as plugins
+from rosml.run.plan import make_plan
 from rosml.run.plugins import places, ros
 from rosml.run.words import split
 
@@ -87,9 +87,9 @@ class Robot:
         """What --check says, by what it is about."""
         installed = known.pop("installed", ())
         context = self.context(*words, **known)
-        place = places.planned(context, plugins.plan(context).argv)
+        place = places.planned(context, make_plan(context).argv)
         them = [places.running(other, context.engine.rootless) for other in others]
-        return {it.what: it for it in check.findings(context, place, them, installed)}
+        return {it.subject: it for it in check.findings(context, place, them, installed)}
 
 
 @pytest.fixture
@@ -102,7 +102,7 @@ def test_an_image_says_what_its_ros_takes_by_default(robot: Robot) -> None:
     """Of an archive without Fast DDS."""
     cyclone = {"io.rosml.rmw": "rmw_cyclonedds_cpp"}
     context = robot.context(image={**CONTRACT, "ROS_DISTRO": "jazzy"}, labels=cyclone)
-    planned = places.planned(context, plugins.plan(context).argv)
+    planned = places.planned(context, make_plan(context).argv)
     running = places.running(
         Container("c", "running", environment={"ROS_DISTRO": "jazzy"}, labels=cyclone), rootless=False
     )
@@ -201,7 +201,7 @@ def test_a_network_for_ros(robot: Robot, words: list[str], expected: list[str]) 
     """docker refuses a network that is named twice; ssh's windows ask for the same one."""
     robot.environment = {"DISPLAY": "localhost:10.0"}
     robot.listens = {("localhost", 6010)}
-    argv = [*plugins.plan(robot.context("--ros-network", *words, image={})).argv]
+    argv = [*make_plan(robot.context("--ros-network", *words, image={})).argv]
     given = [word for word in argv if word.startswith(("--net", "--ipc"))]
     wanted = [word for word in [*expected, *words] if word.startswith("--")]
     assert sorted(given) == sorted(wanted)
@@ -253,7 +253,7 @@ def test_a_network_without_its_memory(robot: Robot, words: list[str], image: Map
 
 def states(found: Mapping[str, check.Finding], *passed: str) -> dict[str, str]:
     """What is not good, and what is said of it."""
-    return {what: f"{it.state}: {it.found}" for what, it in found.items() if it.state != "good" and what not in passed}
+    return {what: f"{it.state}: {it.fact}" for what, it in found.items() if it.state != "good" and what not in passed}
 
 
 def test_all_is_well(robot: Robot) -> None:
@@ -261,7 +261,7 @@ def test_all_is_well(robot: Robot) -> None:
     assert not states(found, "/dev/shm")  # however large it is here
     about = ["network", "domain", "RMW", "discovery range", "shared memory", "user", "/dev/shm", "multicast"]
     assert [*found] == [*about, "receive buffer", "fragments"]
-    assert found["multicast"].found.startswith("on eth0;"), "the engine's own interface leads nowhere"
+    assert found["multicast"].fact.startswith("on eth0;"), "the engine's own interface leads nowhere"
 
 
 @pytest.mark.parametrize(
@@ -341,18 +341,18 @@ def test_what_keeps_nodes_apart(robot: Robot, words: list[str], what: str, expec
     if "--env-file" in words:  # rosml's own -e would win over the file
         words = [*words, "--no-ros"]
     found = robot.found(*words, installed=["rmw_fastrtps_cpp", "rmw_cyclonedds_cpp"])[what]
-    assert f"{found.state}: {found.found}".startswith(expected) and found.remedy.startswith(remedy), found
+    assert f"{found.state}: {found.fact}".startswith(expected) and found.remedy.startswith(remedy), found
 
 
 def test_a_machine_on_which_nodes_are_not_heard(robot: Robot) -> None:
     robot.echoes = False
     lost = robot.found("--ros-network")["multicast"]
-    assert lost.state == "problem" and "port 7400, does not come back" in lost.found and "dev eth0" in lost.remedy
+    assert lost.state == "problem" and "port 7400, does not come back" in lost.fact and "dev eth0" in lost.remedy
     assert robot.found("--ros-network", "-e", "ROS_STATIC_PEERS=10.0.0.6")["multicast"].state == "advice"
     assert "multicast" not in robot.found("--ros-network", "-e", "ROS_DISCOVERY_SERVER=10.0.0.6:11811")
     robot.file("/sys/class/net/eth0/flags", "0x1002\n")
     down = robot.found("--ros-network")["multicast"]
-    assert down.state == "problem" and "no network interface" in down.found and "ROS_STATIC_PEERS" in down.remedy
+    assert down.state == "problem" and "no network interface" in down.fact and "ROS_STATIC_PEERS" in down.remedy
 
 
 @pytest.mark.parametrize(
@@ -413,13 +413,13 @@ def test_small_limits_of_the_kernel(robot: Robot) -> None:
 )
 def test_whose_network_it_is(robot: Robot, engine: Engine, expected: str) -> None:
     found = robot.found(*SHARED, engine=engine)
-    assert f"{found['network'].state}: {found['network'].found}".startswith(expected)
+    assert f"{found['network'].state}: {found['network'].fact}".startswith(expected)
     assert ("multicast" in found) == expected.startswith("good"), "what the container has no part in is left out"
 
 
 def test_podman_without_root_gives_a_network_to_each(robot: Robot) -> None:
     alone = robot.found(engine=Engine("podman", podman=True, rootless=True))["network"]
-    assert alone.state == "problem" and alone.found.startswith("its own alone")
+    assert alone.state == "problem" and alone.fact.startswith("its own alone")
 
 
 @pytest.mark.parametrize(
@@ -519,7 +519,7 @@ def test_another_container(robot: Robot, words: list[str], them: Container, expe
         assert found == check.Finding("container arm", "good", "nothing is in the way")
         return
     assert found.state == ("advice" if "ROS 1" in expected else "problem")
-    assert found.found == expected and found.remedy.startswith(remedy), found
+    assert found.fact == expected and found.remedy.startswith(remedy), found
 
 
 def test_containers_of_podman_without_root(robot: Robot) -> None:
@@ -527,7 +527,7 @@ def test_containers_of_podman_without_root(robot: Robot) -> None:
     podman = Engine("podman", podman=True, rootless=True)
     alone = Container("arm", "running", environment=JAZZY, network="pasta", ipc="shareable")
     apart = robot.found(others=(alone,), engine=podman)["container arm"]
-    assert (apart.state, apart.found) == ("problem", "its network is private")
+    assert (apart.state, apart.fact) == ("problem", "its network is private")
     assert robot.found("--ros-network", others=(container(user="0"),), engine=podman)["container arm"].state == "good"
     assert "user" not in robot.found("--ros-network", "--no-user", engine=podman)
 

@@ -30,7 +30,7 @@ def chosen(
         (root / name).write_text(content)
     line = split([*words, image], {"--no-gpu"})
     said = Image(labels={variants.LABEL: label, variants.STACK: own})
-    return variants.chosen(Context(line, Engine(nvidia=nvidia), Person(1000, 1000, "me", "/home/me"), said, Host(root)))
+    return variants.for_this_machine(Context(line, Engine(nvidia=nvidia), Person(1000, 1000, "me", "/home/me"), said, Host(root)))
 
 
 @pytest.mark.parametrize(
@@ -51,7 +51,7 @@ def test_a_file_for_another_machine_has_the_image_that_the_call_asks_for(
     said = Image(labels={variants.LABEL: STACKS, variants.STACK: own})
     line = split([*words, "a/robot:latest"], {"--no-gpu"})
     context = Context(line, Engine(), Person(1000, 1000, "me", "/home/me"), said, Host(Path("/nowhere")))
-    assert variants.asked(context) == found
+    assert variants.for_another_machine(context) == found
 
 
 @pytest.mark.parametrize(

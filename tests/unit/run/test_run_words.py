@@ -16,8 +16,8 @@ from rosml.base.errors import RosmlError
 from rosml.cli.run import run
 from rosml.cli.run.container import LINE
 from rosml.run.context import Context, Engine, Image, Person
-from rosml.run.plugins import apply as plugins
-from rosml.run.words import Given, Line, split, table
+from rosml.run.plan import make_plan
+from rosml.run.words import TypedOption, Line, split, table
 
 OWN = ("--no-rm", "--dry-run", "--help")
 NOBODY = Person(1000, 1000, "me", "/home/me")
@@ -49,7 +49,7 @@ NOBODY = Person(1000, 1000, "me", "/home/me")
 )
 def test_an_option_and_its_value(words: list[str], names: list[str], value: str | None) -> None:
     line = split([*words, "image", "command", "--rm"], OWN)
-    assert line == Line((), (Given(tuple(words), tuple(names), value),), "image", ("command", "--rm"))
+    assert line == Line((), (TypedOption(tuple(words), tuple(names), value),), "image", ("command", "--rm"))
 
 
 @pytest.mark.parametrize(
@@ -69,7 +69,7 @@ def test_where_the_command_begins(words: list[str], image: str, command: list[st
 
 def test_its_own_options_are_its_own_before_the_image_alone() -> None:
     line = split(["--dry-run", "-e", "--no-rm", "--no-rm=1", "image", "--no-rm"], OWN)
-    assert (line.own, line.command) == (("--dry-run", "--no-rm=1"), ("--no-rm",))
+    assert (line.rosml, line.command) == (("--dry-run", "--no-rm=1"), ("--no-rm",))
     assert line.value("env") == "--no-rm"
 
 
@@ -208,7 +208,7 @@ def test_a_command_is_not_changed(options: list[list[str]], image: str, command:
     assume(command[:1] != [""])
     context = run.main.make_context("rosml run", [*words, image, *command])
     line: Line = context.meta[LINE]
-    argv = plugins.plan(Context(line, Engine(), NOBODY, Image(environment={"DOCKER_UID": ""}), BARE, trusted=True)).argv
+    argv = make_plan(Context(line, Engine(), NOBODY, Image(environment={"DOCKER_UID": ""}), BARE, trusted=True)).argv
     theirs = [word for option in options if option[0] not in OWN_FLAGS for word in option]
     tail = [*theirs, image, *command]
     assert [*argv[len(argv) - len(tail) :]] == tail
