@@ -13,19 +13,15 @@ from rosml.run.plugins.places import ROS_NETWORK
 from rosml.run.words import Line
 
 HERE = "."
-"""The word for the container of the current folder, instead of a name."""
-
 ENTRYPOINT = "/entrypoint.sh"
 """The script that makes the user in our images, and sources ROS (docs/contract.md)."""
 
 PASSED = frozenset(
     ("detach", "detach-keys", "env", "env-file", "interactive", "privileged", "tty", "user", "workdir"),
 )
-"""The options of `run` that `exec` also has."""
 
 SHELLS = ("ash", "bash", "dash", "fish", "ksh", "sh", "zsh")
 IDLE = ("created", "exited", "configured", "initialized", "stopped")
-"""The states in which a container can be started."""
 
 
 class NoContainer(RosmlError):

@@ -20,8 +20,6 @@ RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
 
 MIB = 1024 * 1024
 SMALL_MEMORY = 64 * MIB
-"""The engines' default size of /dev/shm, in bytes."""
-
 RECEIVED, FRAGMENTS, SECONDS = (
     "/proc/sys/net/core/rmem_max",
     *(f"/proc/sys/net/ipv4/ipfrag_{name}" for name in ("high_thresh", "time")),
@@ -32,8 +30,6 @@ UP, LOOPBACK, MULTICAST = 0x1, 0x8, 0x1000
 """Flags of a network interface, as the kernel has them."""
 
 OF_ENGINES = ("docker", "br-", "veth", "podman", "cni", "virbr")
-"""Prefixes of interfaces that lead only to containers and virtual machines."""
-
 MASTER = re.compile(r"https?://(?P<machine>[^:/\s]+):(?P<port>[0-9]{1,5})/?")
 ROUTER = 7447
 
@@ -192,7 +188,7 @@ def owner(place: Place, here: Place | None) -> Iterator[Finding]:
     if place.ipc != HOST or place.network != HOST or not place.uid:
         return
     if here and here.uid != place.uid:
-        remedy = f"--user {here.uid}, or leave out --no-user; or without shared memory: {places.WITHOUT}"
+        remedy = f"--user {here.uid}, or leave out --no-user; or without shared memory: {places.WITHOUT_SHARED_MEMORY}"
         yield Finding(
             "user", PROBLEM, f"{place.uid}, and {here.uid} here: not both can open each other's memory", remedy
         )
@@ -358,7 +354,10 @@ def _apart(place: Place, running: Place) -> Iterator[tuple[str, str]]:
     elif place.joins_another and place.shares_memory and running.shares_memory:
         if place.ipc != within and not place.ipc == running.ipc == place.network:
             option = "" if place.has_their_memory else WHOLE
-            remedy = f"{option or f'start it with {WHOLE}'}; or without shared memory: {places.WITHOUT}"
+            remedy = f"{option or f'start it with {WHOLE}'}; or without shared memory: {places.WITHOUT_SHARED_MEMORY}"
             yield "it does not have the same shared memory", remedy
         elif place.uid and running.uid and place.uid != running.uid:
-            yield f"its user is {running.uid}", f"--user {running.uid}; or without shared memory: {places.WITHOUT}"
+            yield (
+                f"its user is {running.uid}",
+                f"--user {running.uid}; or without shared memory: {places.WITHOUT_SHARED_MEMORY}",
+            )

@@ -62,7 +62,6 @@ def _is_harmless(option: TypedOption) -> bool:
 
 
 IMAGES = "image "
-"""The prefix of repositories in the memory; files begin with `/`."""
 
 
 def memory(environment: Mapping[str, str]) -> Path:

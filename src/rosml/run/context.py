@@ -127,10 +127,7 @@ class Container:
 
 
 LIMIT = 1024 * 1024
-"""The most bytes to read of a file. This machine's settings have fewer."""
-
 Address = str | tuple[str, int]
-"""The path of a socket, or a host and a port."""
 
 
 @dataclass(frozen=True)

@@ -13,11 +13,7 @@ from rosml.run import paths
 from rosml.run.words import Line, split
 
 PERSON = "rosml/run.toml"
-"""The user's file, in their folder of settings."""
-
 PROJECT = ".rosml.toml"
-"""The project's file."""
-
 HERE = "."
 """The word for the image that a file names."""
 
@@ -26,7 +22,6 @@ KEYS = {
     "options": '["--mws", "-e", "ROS_DOMAIN_ID=7"]',
     "command": '["ros2", "topic", "list"]',
 }
-"""The keys of a file, each with an example."""
 
 LIMIT = 64 * 1024
 """The most bytes of a file: users see all of it when we ask them about it."""

@@ -19,13 +19,10 @@ ENGINE = "ROSML_ENGINE"
 """The environment variable that names an engine, or its path."""
 
 ENGINES = ("docker", "podman")
-"""The engines to look for, in this order."""
-
-FOR_PULL = (
+PULL_OPTIONS = (
     *("arch", "authfile", "cert-dir", "creds", "decryption-key", "disable-content-trust", "os", "platform", "quiet"),
     *("retry", "retry-delay", "signature-policy", "tls-verify", "variant"),
 )
-"""Options of `run` about pulling an image; `pull` has them as well."""
 
 LOCAL_REGISTRY = re.compile(r"(localhost|127(\.[0-9]+){3})(:[0-9]+)?/")
 """Images of a registry on this machine. Docker asks it without TLS; podman needs an option for that."""
@@ -34,7 +31,6 @@ CONTAINERD = "io.containerd.snapshotter"
 """docker's `info` has this if containerd keeps its images."""
 
 COMPLETION_TIMEOUT = 1.0
-"""Seconds to wait for an engine after the Tab key."""
 
 
 @dataclass(frozen=True)
@@ -212,7 +208,7 @@ def pull(command: str, line: Line) -> None:
     if line.value("pull") == "never":
         raise RosmlError(f"no image {line.image} here, and --pull=never", f"{command} pull {line.image}")
     single = [option for option in line.engine if len(option.names) == 1]  # `pull` does not know -i and -t of -itq
-    options = [word for option in single if option.names[0] in FOR_PULL for word in option.words]
+    options = [word for option in single if option.names[0] in PULL_OPTIONS for word in option.words]
     plain = "" if line.has("tls-verify") or not about(command).podman else "--tls-verify=false"
     if plain and LOCAL_REGISTRY.match(line.image):
         options.append(plain)

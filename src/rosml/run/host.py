@@ -12,14 +12,11 @@ from rosml.run.context import Address, Host
 
 ROOT = Path("/")
 ARCHITECTURES = {"x86_64": "amd64", "aarch64": "arm64"}
-PATIENCE = 0.3
-"""Seconds to wait for an answer, such as a display's."""
-
+TIMEOUT = 0.3
 NO_ADDRESS = (OSError, OverflowError, UnicodeError)
 """Errors of addresses that do not answer, of ports beyond 65535, and of names with an empty part."""
 
 GROUP = "239.255.0.1"
-"""The multicast group of DDS, to which nodes of ROS 2 announce themselves."""
 
 
 def host(environment: Mapping[str, str]) -> Host:
@@ -34,7 +31,7 @@ def connects(address: Address) -> bool:
 
     family = socket.AF_UNIX if isinstance(address, str) else socket.AF_INET
     with socket.socket(family, socket.SOCK_STREAM) as connection:
-        connection.settimeout(PATIENCE)
+        connection.settimeout(TIMEOUT)
         try:
             connection.connect(address)
         except NO_ADDRESS:
@@ -72,7 +69,7 @@ def echoes(port: int) -> bool:
                 connection.bind(("", 0))
             connection.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton(GROUP) + bytes(4))
             connection.sendto(packet, (GROUP, connection.getsockname()[1]))
-            deadline = time.monotonic() + PATIENCE
+            deadline = time.monotonic() + TIMEOUT
             while (seconds := deadline - time.monotonic()) > 0:
                 connection.settimeout(seconds)
                 if connection.recv(len(packet)) == packet:

@@ -12,14 +12,10 @@ from rosml.base.errors import RosmlError
 from rosml.run.words import TypedOption
 
 SOURCES = ("source", "src")
-"""The fields of a mount that name its source."""
-
 READ = ("authfile", "cert-dir", "env-file", "hosts-file", "label-file", "pod-id-file", "signature-policy")
 """Options whose value is a file of this machine that the engine reads, or a folder of such files."""
 
 FILES = (*READ, "cidfile", "conmon-pidfile", "init-path", "pidfile")
-"""Options whose value is a path of this machine."""
-
 NO_HOSTS = ("image", "none")
 NAMESPACES = ("cgroupns", "ipc", "net", "network", "pid", "userns", "uts")
 """Options of podman that may have a path, after `ns:`."""
@@ -161,7 +157,6 @@ WRITTEN: dict[str, Callable[[str, Change], str]] = {
     "security-opt": _security,
     "volume": _volume,
 }
-"""Options that have a path among other things."""
 
 
 @dataclass(frozen=True)

@@ -17,17 +17,12 @@ REFERENCE = re.compile(rf"(?P<name>(?:{_HOST}/)?{_PART}(?:/{_PART})*)(?::{_TAG})
 
 ID = re.compile("(?:sha256:)?(?P<hex>[0-9a-f]+)")
 PUSHED = "push it to a registry, and write its name there"
-"""The remedy for an image that only this machine's engine has."""
-
-TRANSPORTS = (
+PODMAN_TRANSPORTS = (
     *("containers-storage", "dir", "docker", "docker-archive", "docker-daemon", "oci", "oci-archive", "ostree", "sif"),
 )
-"""Words before a colon that podman takes for a transport, not for a name."""
 
 HUB = "docker.io"
 SERVICES = "services.json"
-"""The file in `.state` with a checkout's registry and builder."""
-
 NAMESPACE = "rosml"
 
 
@@ -42,7 +37,7 @@ def repository(name: str, identity: str, podman: bool) -> str:
             repository elsewhere.
     """
     reference, by_id = REFERENCE.fullmatch(name), ID.fullmatch(name)
-    path = podman and name.partition(":")[0] in TRANSPORTS and ":" in name
+    path = podman and name.partition(":")[0] in PODMAN_TRANSPORTS and ":" in name
     if not reference or path or (by_id and identity.startswith(by_id["hex"])):
         return f"sha256:{identity}"
     registry, slash, rest = reference["name"].partition("/")

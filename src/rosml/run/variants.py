@@ -16,9 +16,7 @@ LABEL = "io.rosml.variants"
 
 STACK = "io.rosml.stack"
 
-MOST = 10
-"""More in a label is nobody's app."""
-
+MOST_STACKS = 10
 _ENTRY = re.compile(r"([a-z][a-z0-9]{0,15})(?::([0-9]{1,5}(?:\.[0-9]{1,5}){0,3}))?")
 
 _DATED = re.compile(r"-\d{8}(\.\d+)?$")
@@ -59,7 +57,7 @@ def _tagged(context: Context, drivers: Mapping[str, str], stack: str) -> str:
 def _drivers(context: Context) -> dict[str, str]:
     """The stacks with their drivers; none if the label says something else."""
     entries = [_ENTRY.fullmatch(text) for text in context.image.labels.get(LABEL, "").split()]
-    if len(entries) > MOST or not all(entries):
+    if len(entries) > MOST_STACKS or not all(entries):
         return {}
     return {entry[1]: entry[2] or "" for entry in entries if entry}
 

@@ -146,8 +146,7 @@ def table() -> Table:
     return Table(frozenset(kinds["value"]), frozenset(kinds["switch"]), letters)
 
 
-MOST = 10_000
-"""Most options of a command line. The command may have more words."""
+MOST_OPTIONS = 10_000
 
 
 def split(words: Collection[str], rosml_options: Collection[str], with_value: Collection[str] = ()) -> Line:
@@ -175,9 +174,9 @@ def split(words: Collection[str], rosml_options: Collection[str], with_value: Co
 
 
 def _line(rosml_words: list[str], engine: list[TypedOption], rest: list[str]) -> Line:
-    if len(engine) > MOST:
+    if len(engine) > MOST_OPTIONS:
         text = f"{len(engine):,} options are more than any call of an engine needs"
-        raise RosmlError(text, f"write at most {MOST:,}; --env-file takes many variables", exit_code=2)
+        raise RosmlError(text, f"write at most {MOST_OPTIONS:,}; --env-file takes many variables", exit_code=2)
     image = rest[0] if rest else ""
     has_program = any(
         "entrypoint" in option.names for option in engine

@@ -16,8 +16,7 @@ from rosml.run.plugins import places
 
 COLOURS = {check.GOOD: "green", check.ADVICE: "yellow", check.PROBLEM: "red"}
 
-RMWS = "/opt/ros/{}/share/ament_index/resource_index/rmw_typesupport"
-"""The folder of an image with a file for each RMW implementation."""
+RMW_FOLDER = "/opt/ros/{}/share/ament_index/resource_index/rmw_typesupport"
 
 
 def show(context: Context, argv: Sequence[str], *, into: bool) -> None:
@@ -32,7 +31,7 @@ def show(context: Context, argv: Sequence[str], *, into: bool) -> None:
     others = [place for place in running if place.version]
     distribution = place.environment.get("ROS_DISTRO", "")
     lists = into and place.version == "2"
-    installed = engine.folder(command, context.line.image, RMWS.format(distribution)) if lists else []
+    installed = engine.folder(command, context.line.image, RMW_FOLDER.format(distribution)) if lists else []
     findings = check.findings(context, place, others, [name for name in installed if name != "rmw_implementation"])
     with printing():
         if context.line.asks("json"):

@@ -22,8 +22,6 @@ from rosml.run import words
 from rosml.run.context import Container, Person
 
 LINE = "rosml.run.line"
-"""The key of the split command line in click's context."""
-
 SETTINGS = {"allow_interspersed_args": False, "help_option_names": ["--help"]}
 """Without -h, which is an option of the engines: the container's host name."""
 
@@ -70,7 +68,6 @@ def showing(main: Callable[..., None]) -> Callable[..., None]:
 
 
 SHOW = ("--dry-run", "--json", "--check", "--export")
-"""Options with which no command runs."""
 
 
 def only_shown(line: words.Line) -> bool:

@@ -27,8 +27,7 @@ if TYPE_CHECKING:
 RESERVED = ("new", "no-defaults", trust.OPTION, "check", "verbose", "dry-run", "json", "export", "add", "help")
 """The command's own options: no plugin may have one of these names, and no file with defaults may set one."""
 
-IMAGE = 'write image = "…" into .rosml.toml'
-"""The remedy that gives a folder an image."""
+IMAGE_REMEDY = 'write image = "…" into .rosml.toml'
 
 
 @cache
@@ -157,10 +156,10 @@ def _check_words(line: Line, own_options: list[str]) -> None:
 
 def _require_image(line: Line, image: str, purpose: str) -> None:
     if line.image == HERE and not image:
-        raise RosmlError("no file names the image of this folder", f"rosml run IMAGE, or {IMAGE}", exit_code=2)
+        raise RosmlError("no file names the image of this folder", f"rosml run IMAGE, or {IMAGE_REMEDY}", exit_code=2)
     if purpose and not image:
         text = f"--{purpose.partition(' ')[0]} needs an image, and none is named"
-        raise RosmlError(text, f"rosml run --{purpose} IMAGE, or {IMAGE}", exit_code=2)
+        raise RosmlError(text, f"rosml run --{purpose} IMAGE, or {IMAGE_REMEDY}", exit_code=2)
 
 
 def enter(line: Line, image: str) -> None:

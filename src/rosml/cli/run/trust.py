@@ -12,7 +12,6 @@ from rosml.run.context import Context
 from rosml.run.plugins.user import needs_trust
 
 OPTION = "trust"
-"""The option that trusts the image's repository."""
 
 
 def settled(context: Context) -> Context:

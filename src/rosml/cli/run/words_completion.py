@@ -12,10 +12,7 @@ from rosml.base.errors import RosmlError
 from rosml.run import attach, engine, paths, words
 
 FILES = frozenset(("volume", "mount", "device", *paths.FILES))
-"""Options of the engine whose value begins with a path of this machine."""
-
 ENTERS = "attach"
-"""The command that takes a container instead of an image, and fewer options."""
 
 
 def items(command: click.Command, args: Sequence[str], incomplete: str) -> list[CompletionItem[str]]:

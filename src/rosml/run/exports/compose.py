@@ -24,17 +24,16 @@ from rosml.run.exports.description import (
 )
 from rosml.run.exports.yaml_text import merged, nested
 
-SAME = (
+SAME_NAMES = (
     *("annotation", "cpus", "domainname", "expose", "hostname", "ipc", "isolation", "pid", "platform"),
     *("restart", "runtime", "tmpfs", "user", "uts", "cap-add", "cap-drop", "cgroup-parent", "cpu-count", "cpu-percent"),
     *("cpu-period", "cpu-quota", "cpu-rt-period", "cpu-rt-runtime", "cpu-shares", "dns", "dns-opt", "dns-search"),
     *("group-add", "init", "mac-address", "oom-kill-disable", "oom-score-adj", "pids-limit", "privileged", "read-only"),
     *("security-opt", "shm-size", "stop-signal", "storage-opt", "tty", "use-api-socket"),
 )
-"""Options with the same name in compose, with `_` for `-`."""
 
 NAMES = {
-    **{name: name.replace("-", "_") for name in SAME},
+    **{name: name.replace("-", "_") for name in SAME_NAMES},
     "add-host": "extra_hosts",
     "annotation": "annotations",
     "cgroupns": "cgroup",
@@ -68,23 +67,18 @@ NAMES = {
 }
 """Compose's names of options; a point leads into a nested field."""
 
-LISTS = (
+REPEATABLE = (
     *("add-host", "cap-add", "cap-drop", "device", "device-cgroup-rule", "dns", "dns-opt", "dns-search", "expose"),
     *("group-add", "link", "publish", "security-opt", "tmpfs"),
 )
-"""Options that compose takes several times."""
 
-PAIRS = ("annotation", "env", "label", "log-opt", "storage-opt", "sysctl")
-"""Options with a name and a value."""
-
+NAME_AND_VALUE = ("annotation", "env", "label", "log-opt", "storage-opt", "sysctl")
 SWITCHES = (
     *("init", "interactive", "no-healthcheck", "oom-kill-disable", "privileged", "read-only", "tty", "use-api-socket"),
 )
 
-ACCEPTED = {"cgroupns": ("host", "private"), "pull": ("always", "missing", "never")}
-"""The values that compose takes; podman has others."""
-
-MOUNT = {
+ACCEPTED_VALUES = {"cgroupns": ("host", "private"), "pull": ("always", "missing", "never")}
+MOUNT_FIELDS = {
     "type": "type",
     "source": "source",
     "target": "target",
@@ -95,7 +89,6 @@ MOUNT = {
     "tmpfs-size": "tmpfs.size",
     "tmpfs-mode": "tmpfs.mode",
 }
-"""Compose's names of the fields of `--mount`."""
 
 
 def portable(context: Context) -> Context:
@@ -126,14 +119,14 @@ def _part(option: Option, call: Call) -> dict[str, Any]:
     name, value = option.name, option.value or ""
     if name in WRITERS:
         return WRITERS[name](option, call)
-    if name not in NAMES or value not in ACCEPTED.get(name, (value,)):
+    if name not in NAMES or value not in ACCEPTED_VALUES.get(name, (value,)):
         raise _without(option, f"--{name}" if name not in NAMES else f"--{name}={value}")
     written: Any = value
     if name in SWITCHES:
         written = option.is_on
-    elif name in LISTS:
+    elif name in REPEATABLE:
         written = [value]
-    elif name in PAIRS:
+    elif name in NAME_AND_VALUE:
         key, equals, text = value.partition("=")
         # None: from the environment of the user who starts it.
         written = {key: None if name == "env" and not equals else text}
@@ -161,14 +154,14 @@ def _mount(option: Option, call: Call) -> dict[str, Any]:
     """A mount. The engines refuse a missing folder; compose would make it."""
     mount: dict[str, Any] = {"type": "volume"}
     for key, value in fields(option):
-        if key not in MOUNT:
+        if key not in MOUNT_FIELDS:
             raise _without(option, f"{key} of --mount")
         written: Any = value
         if key in ("readonly", "volume-nocopy"):
             written = Option(key, value or None).is_on
         elif key == "tmpfs-mode":
             written = _octal(value)
-        mount = merged(mount, nested(MOUNT[key], written))
+        mount = merged(mount, nested(MOUNT_FIELDS[key], written))
     if mount["type"] == "bind":
         mount = merged(mount, {"bind": {"create_host_path": False}})
         mount["source"] = placed(mount.get("source", ""), call, ".")
@@ -202,7 +195,6 @@ def _number(text: str) -> int | str:
 
 
 NUMBER = re.compile("-?[0-9]{1,18}")
-"""Values that become numbers. All others stay text."""
 
 
 WRITERS: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
@@ -216,7 +208,6 @@ WRITERS: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
     "volume": _volume,
     "volumes-from": lambda option, call: {"volumes_from": [f"container:{option.value}"]},
 }
-"""Options with a form of their own in compose."""
 
 
 def _volume_of(mount: str | Mapping[str, Any]) -> str:

@@ -16,13 +16,8 @@ from rosml.run.exports import compose, yaml_text
 from rosml.run.exports.description import Call
 
 SECTIONS = ("services", "networks", "volumes")
-"""The parts of a file to which something is added."""
-
-LARGEST = 256 << 10
-"""The most characters of a file. It is read several times, to make sure that nothing else changes."""
-
+MOST_CHARACTERS = 256 << 10
 BY_HAND = "add the service by hand: without --add, it is printed"
-"""The remedy for a file that is written in an unusual way."""
 
 
 @dataclass(frozen=True)
@@ -68,8 +63,8 @@ def _read(file: Path) -> str:
 def added(text: str, content: Mapping[str, Mapping[str, Any]], what: str) -> str:
     """A text of compose with more content; the same text if it has all of that. `content` has, by the names of `SECTIONS`, names and
     their values; `what` is the text's name in messages."""
-    if len(text) > LARGEST:
-        raise RosmlError(f"{what}: has more than {LARGEST >> 10} kB", BY_HAND, exit_code=2)
+    if len(text) > MOST_CHARACTERS:
+        raise RosmlError(f"{what}: has more than {MOST_CHARACTERS >> 10} kB", BY_HAND, exit_code=2)
     events, newline = _events(text, what), "\r\n" if "\r\n" in text else "\n"
     if not events:
         return (

@@ -17,14 +17,8 @@ OF_A_CALL = ("attach", "detach", "detach-keys", "quiet", "replace", "rm", "rmi",
 """Options about how a single call waits and cleans up. Programs that start the file have their own."""
 
 SYNONYMS = {"net": "network", "dns-option": "dns-opt"}
-"""Options with two names."""
-
-FIELDS = {"src": "source", "dst": "target", "destination": "target", "ro": "readonly"}
-"""Fields of `--mount` with several names."""
-
+FIELD_SYNONYMS = {"src": "source", "dst": "target", "destination": "target", "ro": "readonly"}
 WITH_NAME = ("annotation", "env", "label")
-"""Options whose value has a name."""
-
 X11 = ("-v", "/tmp/.X11-unix:/tmp/.X11-unix", "-e", "DISPLAY", "-e", "QT_X11_NO_MITSHM=1")
 """Options for windows that last as long as a file: the sockets of all displays, and the DISPLAY of the user who starts it."""
 
@@ -159,7 +153,7 @@ def fields(option: Option) -> list[tuple[str, str]]:
         raise RosmlError(
             f"--{option.name}={option.value}: its quotes do not close", 'write one " at each end', exit_code=2
         ) from None
-    return [(FIELDS.get(key, key), value) for key, _, value in (field.partition("=") for field in row)]
+    return [(FIELD_SYNONYMS.get(key, key), value) for key, _, value in (field.partition("=") for field in row)]
 
 
 def placed(path: str, call: Call, start: str) -> str:
@@ -181,8 +175,6 @@ def volume(option: Option, call: Call, start: str) -> str:
 
 
 CERTAIN = """for certain GPUs: --gpus '"device=0,1"'"""
-"""The remedy for GPUs that are not clear."""
-
 COUNT = re.compile("[0-9]{1,18}")
 
 

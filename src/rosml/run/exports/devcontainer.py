@@ -18,18 +18,13 @@ from rosml.run.plugins.basic_options import FOLDER_LABEL
 from rosml.run.plugins.user import VARIABLE
 
 FOLDER = "${localWorkspaceFolder}"
-"""The variable for the folder that the editor opens."""
-
 VARIABLES = re.compile(r"\$\{\s*(?:env|local\w*|container\w*|devcontainer\w*)\b", re.IGNORECASE)
 """The beginning of a variable of editors: https://containers.dev/implementors/json_reference/#variables-in-devcontainerjson."""
 
 DROPPED = ("interactive", "tty")
-"""Editors have their own terminals."""
-
 LISTS = {"cap-add": "capAdd", "security-opt": "securityOpt"}
 SWITCHES = ("init", "privileged")
 ELSEWHERE = ("env", "mount", "user", *LISTS, *SWITCHES)
-"""Options with a field of their own in the file."""
 
 
 def bare(context: Context) -> Context:

@@ -6,6 +6,7 @@ does. Kubernetes reads `$(…)` in variables and commands, so each `$` of them i
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -22,21 +23,19 @@ from rosml.run.plugins.basic_options import FOLDER_LABEL
 from rosml.run.plugins.gpu import DRIVER, is_theirs, numbers
 
 KIND = "kubernetes"
+
 NAME_LABEL = "app.kubernetes.io/name"
-"""The label by which the Deployment finds its containers."""
-
-GPU = "nvidia.com/gpu"
-"""The name of a GPU among a machine's resources."""
-
+GPU_RESOURCE = "nvidia.com/gpu"
 DROPPED = ("interactive", "name", "tty")
-"""Options that have no meaning, or that have another place in the file."""
+ELSEWHERE = (
+    *(*DROPPED, "entrypoint", "no-healthcheck"),
+    *("health-cmd", "health-interval", "health-retries", "health-start-period", "health-timeout"),
+)
+"""Options that have no meaning, or that `content` reads."""
 
-VARIABLE = re.compile("[A-Za-z_.-][A-Za-z0-9_.-]*")
-"""The names of variables that all releases take."""
-
-LABEL = re.compile(r"(?=.{1,317}\Z)([a-z0-9]([a-z0-9.-]*[a-z0-9])?/)?[A-Za-z0-9]([A-Za-z0-9_.-]{0,61}[A-Za-z0-9])?")
-"""The names of labels and annotations."""
-
+LABEL_NAME = re.compile(
+    r"(?=.{1,317}\Z)([a-z0-9]([a-z0-9.-]*[a-z0-9])?/)?[A-Za-z0-9]([A-Za-z0-9_.-]{0,61}[A-Za-z0-9])?"
+)
 LABEL_VALUE = re.compile("([A-Za-z0-9]([A-Za-z0-9_.-]{0,61}[A-Za-z0-9])?)?")
 SIZE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,3})?)([bkmgt]?)b?", re.IGNORECASE)
 """A size of memory, as the engines read it: `512m`, `1.5g`."""
@@ -44,14 +43,11 @@ SIZE = re.compile(r"([0-9]{1,15}(?:\.[0-9]{1,3})?)([bkmgt]?)b?", re.IGNORECASE)
 PORT = re.compile(
     r"(?:(?P<ip>[0-9.]+|\[[0-9A-Fa-f:]+\]):)?(?P<host>[0-9]{1,5}):(?P<inside>[0-9]{1,5})(?:/(?P<kind>tcp|udp|sctp))?"
 )
-"""The values of -p with one port on each side."""
 
-PULLS = {"always": "Always", "missing": "IfNotPresent", "never": "Never"}
-DEFAULTS = {"ipc": ("private",), "network": ("bridge", "default"), "restart": ("always", "unless-stopped")}
-"""Values that say what a cluster does by itself."""
+CLUSTER_DEFAULTS = {"ipc": ("private",), "network": ("bridge", "default"), "restart": ("always", "unless-stopped")}
+Fields = dict[str, Any]
 
-HOST = {"ipc": "hostIPC", "network": "hostNetwork", "pid": "hostPID"}
-"""Fields for what containers share with their machine."""
+HOST_FIELDS = {"ipc": "hostIPC", "network": "hostNetwork", "pid": "hostPID"}
 
 
 def cluster(context: Context) -> Context:
@@ -67,17 +63,17 @@ def text(call: Call) -> str:
     comments = [f"{call.name} in a cluster. Written by rosml run --export kubernetes; kubectl apply -f FILE"]
     limits = document["spec"]["template"]["spec"]["containers"][0].get("resources", {}).get("limits", {})
     if numbers(call.about.labels.get(DRIVER, "")):
-        remedy = "--no-gpu leaves it out" if GPU in limits else "--gpus 1 asks for it"
+        remedy = "--no-gpu leaves it out" if GPU_RESOURCE in limits else "--gpus 1 asks for it"
         comments.append(f"The image was made for a GPU of NVIDIA's: {remedy}")
     if not _digests(call):
         comments.append("The image has no digest of a registry here, so its tag decides what runs")
     return "".join(f"# {line}.\n" for line in comments) + yaml_text.text(document)
 
 
-def content(call: Call) -> dict[str, Any]:
+def content(call: Call) -> Fields:
     """The content of the file. An option without a counterpart is an error."""
     name = _dns(call.name)
-    pod: Any = reduce(merged, (_part(option, call) for option in call.options), {"container": {}})
+    pod: Any = reduce(merged, (_part(option) for option in call.options), {"container": {}})
     container = {"name": name, "image": _image(call), **pod.pop("container")}
     annotations, labels = pod.pop("annotations", {}), {NAME_LABEL: name, **pod.pop("labels", {})}
     if entrypoint := call.values("entrypoint"):
@@ -127,7 +123,7 @@ def _image(call: Call) -> str:
     return call.image if "@" in call.image or not digests else f"{call.image}@{digests[0]}"
 
 
-def _entry(entrypoint: str, call: Call) -> dict[str, Any]:
+def _entry(entrypoint: str, call: Call) -> Fields:
     """The command in the place of the image's entrypoint."""
     words = [*([entrypoint] if entrypoint else []), *call.command]
     if not words:
@@ -154,7 +150,7 @@ def _check(container: Mapping[str, Any], pod: Mapping[str, Any]) -> None:
         raise RosmlError(text, "leave out --hostname", exit_code=2)
 
 
-def _probe(call: Call) -> dict[str, Any]:
+def _probe(call: Call) -> Fields:
     """The probe that starts the container again, from --health-cmd or the image's HEALTHCHECK, with the engines' defaults."""
     typed, image = (call.values("health-cmd") or [""])[-1], call.about.health
     if call.values("no-healthcheck") or typed == "none" or not (typed or image.command):
@@ -163,9 +159,8 @@ def _probe(call: Call) -> dict[str, Any]:
 
     def seconds(name: str, from_image: float, default: int) -> int:
         option = (call.values(f"health-{name}") or [""])[-1]
-        return (
-            max(1, -int(-(_seconds(name, option) if option else from_image) // 1)) if option or from_image else default
-        )
+        exact = _seconds(name, option) if option else from_image
+        return max(1, math.ceil(exact)) if option or from_image else default
 
     probe = {
         "exec": {"command": [*command]},
@@ -198,84 +193,57 @@ def _without(what: str, remedy: str) -> RosmlError:
     return RosmlError(f"{what} has no counterpart in a file of Kubernetes", remedy, exit_code=2)
 
 
-def _part(option: Option, call: Call) -> dict[str, Any]:
+def _part(option: Option) -> Fields:
     """The fields that an option adds to a pod, and below `container` those of its container."""
     name, value = option.name, option.value or ""
-    if name in DROPPED or name in ("entrypoint", "no-healthcheck") or name in HEALTH or value in DEFAULTS.get(name, ()):
+    if name in ELSEWHERE or value in CLUSTER_DEFAULTS.get(name, ()):
         return {}
-    if name in HOST and value == "host":
-        policy = {"dnsPolicy": "ClusterFirstWithHostNet"} if name == "network" else {}
-        return {HOST[name]: True, **policy}
-    if name not in WRITERS:
-        remedy = REMEDIES.get(name, f"leave out --{name}")
-        raise _without(f"--{name}={value}" if name in (*HOST, *DEFAULTS) else f"--{name}", remedy)
-    return WRITERS[name](option, call)
+    if name in HOST_FIELDS and value == "host":
+        return {HOST_FIELDS[name]: True, **({"dnsPolicy": "ClusterFirstWithHostNet"} if name == "network" else {})}
+    if name in FORMS:
+        pattern, remedy, fields_of = FORMS[name]
+        match = re.fullmatch(pattern, value, re.DOTALL)
+        if not match:
+            raise _without(f"--{name} {value!a}", remedy)
+        return fields_of(match)
+    if name in WRITERS:
+        return WRITERS[name](option)
+    option_text = f"--{name}={value}" if name in (*HOST_FIELDS, *CLUSTER_DEFAULTS, "device") else f"--{name}"
+    raise _without(option_text, REMEDIES.get(name, f"leave out --{name}"))
 
 
-REMEDIES = {"env-file": "write -e NAME=VALUE, or leave it out and add a ConfigMap or a Secret to the file"}
-"""Remedies other than to leave an option out."""
-
-HEALTH = ("health-cmd", "health-interval", "health-retries", "health-start-period", "health-timeout")
-
-
-def _env(option: Option, call: Call) -> dict[str, Any]:
-    name, equals, value = (option.value or "").partition("=")
-    if not equals:
-        raise _without(f"-e {name} without a value", f"write -e {name}=VALUE: a cluster has no variables of yours")
-    if not VARIABLE.fullmatch(name):
-        raise _without(f"the variable {name!a}", "name it with letters, digits and _")
-    return {"container": {"env": {name: value}}}
-
-
-def _label(option: Option, call: Call) -> dict[str, Any]:
+def _label(option: Option) -> Fields:
     key, _, value = (option.value or "").partition("=")
     if key == FOLDER_LABEL:
         return {}  # of this machine
-    if not LABEL.fullmatch(key) or (option.name == "label" and not LABEL_VALUE.fullmatch(value)) or key == NAME_LABEL:
+    if (
+        not LABEL_NAME.fullmatch(key)
+        or (option.name == "label" and not LABEL_VALUE.fullmatch(value))
+        or key == NAME_LABEL
+    ):
         raise _without(f"--{option.name} {option.value!a}", f"leave out --{option.name}; --annotation takes any value")
     return {f"{option.name}s": {key: value}}
 
 
-def _user(option: Option, call: Call) -> dict[str, Any]:
-    ids = re.fullmatch(r"([0-9]{1,10})(?::([0-9]{1,10}))?", option.value or "")
-    if not ids:
-        raise _without(f"--user {option.value}", "write numbers: --user UID:GID")
-    group = {"runAsGroup": int(ids[2])} if ids[2] else {}
-    return _safety({"runAsUser": int(ids[1]), **group})
+def _safety(**settings: object) -> Fields:
+    return {"container": {"securityContext": settings}}
 
 
-def _safety(settings: Mapping[str, Any]) -> dict[str, Any]:
-    return {"container": {"securityContext": {**settings}}}
-
-
-def _security(option: Option, call: Call) -> dict[str, Any]:
+def _security(option: Option) -> Fields:
     key, _, value = (option.value or "").replace(":", "=", 1).partition("=")
     if key == "no-new-privileges" and value in ("", "true", "false"):
-        return _safety({"allowPrivilegeEscalation": False}) if value != "false" else {}
+        return _safety(allowPrivilegeEscalation=False) if value != "false" else {}
     profiles = {"seccomp": "seccompProfile", "apparmor": "appArmorProfile"}
     if key in profiles and value == "unconfined":
-        return _safety({profiles[key]: {"type": "Unconfined"}})
+        return _safety(**{profiles[key]: {"type": "Unconfined"}})
     raise _without(f"--security-opt {option.value}", "leave out --security-opt, and write securityContext by hand")
 
 
-def _capability(option: Option, call: Call) -> dict[str, Any]:
+def _capability(option: Option) -> Fields:
     name = (option.value or "").upper().removeprefix("CAP_")
     if not re.fullmatch("[A-Z][A-Z_]*", name):
         raise _without(f"--{option.name} {option.value!a}", "write a name such as SYS_NICE")
-    return _safety({"capabilities": {option.name.removeprefix("cap-"): [name]}})
-
-
-def _group(option: Option, call: Call) -> dict[str, Any]:
-    if not COUNT.fullmatch(option.value or ""):
-        raise _without(f"--group-add {option.value}", "write the group's number")
-    return {"securityContext": {"supplementalGroups": [int(option.value or "")]}}
-
-
-def _sysctl(option: Option, call: Call) -> dict[str, Any]:
-    name, equals, value = (option.value or "").partition("=")
-    if not equals:
-        raise _without(f"--sysctl {option.value}", "write --sysctl NAME=VALUE")
-    return {"securityContext": {"sysctls": [{"name": name, "value": value}]}}
+    return _safety(capabilities={option.name.removeprefix("cap-"): [name]})
 
 
 def _size(option: Option, size: str) -> str:
@@ -287,42 +255,31 @@ def _size(option: Option, size: str) -> str:
     return match[1] + (f"{unit}i" if unit not in ("", "B") else "")
 
 
-def _gpus(option: Option, call: Call) -> dict[str, Any]:
+def _gpus(option: Option) -> Fields:
     requested = gpus(option)
     if requested.ids or requested.driver not in ("", "nvidia") or requested.capabilities:
         raise _without(f"--gpus {option.value}", "write --gpus NUMBER: the cluster chooses which")
     if not COUNT.fullmatch(requested.count) or int(requested.count) == 0:
         raise _without(f"--gpus {option.value}", "write --gpus NUMBER: a cluster counts GPUs")
-    return _limit(GPU, str(int(requested.count)))
+    return _limit(GPU_RESOURCE, str(int(requested.count)))
 
 
-def _limit(name: str, value: str, kind: str = "limits") -> dict[str, Any]:
+def _limit(name: str, value: str, kind: str = "limits") -> Fields:
     return {"container": nested(f"resources.{kind}", {name: value})}
 
 
-def _cpus(option: Option, call: Call) -> dict[str, Any]:
-    if not re.fullmatch(r"[0-9]{1,4}(\.[0-9]{1,3})?", option.value or "") or not float(option.value or ""):
-        raise _without(f"--cpus={option.value}", "write a number such as 1.5")
-    return _limit("cpu", option.value or "")
-
-
-def _device(option: Option, call: Call) -> dict[str, Any]:
-    remedy = "a device plugin of the cluster, or --privileged -v /dev:/dev; GPUs are --gpus NUMBER"
-    raise _without(f"--device {option.value}", remedy)
-
-
-def _port(option: Option, call: Call) -> dict[str, Any]:
+def _port(option: Option) -> Fields:
     match = PORT.fullmatch(option.value or "")
     if not match or not all(0 < int(match[side]) < 2**16 for side in ("host", "inside")):
         raise _without(f"-p {option.value}", "write -p PORT:PORT, the machine's and the container's")
-    port: dict[str, Any] = {"containerPort": int(match["inside"]), "hostPort": int(match["host"])}
+    port: Fields = {"containerPort": int(match["inside"]), "hostPort": int(match["host"])}
     port["protocol"] = (match["kind"] or "tcp").upper()
     if match["ip"]:
         port["hostIP"] = match["ip"].strip("[]")
     return {"container": {"ports": [port]}}
 
 
-def _volume(option: Option, call: Call) -> dict[str, Any]:
+def _volume(option: Option) -> Fields:
     source, colon, rest = (option.value or "").partition(":")
     target, _, mode = rest.partition(":")
     if not colon or not source.startswith("/"):
@@ -332,21 +289,19 @@ def _volume(option: Option, call: Call) -> dict[str, Any]:
     return _mounted(target, {"hostPath": {"path": source}}, "ro" in mode.split(","))
 
 
-def _mounted(target: str, source: Mapping[str, Any], read_only: bool = False) -> dict[str, Any]:
+def _mounted(target: str, source: Fields, read_only: bool = False) -> Fields:
     """A mount of a source. A cluster refuses a colon in its path, and a way up in that of the machine."""
     path = source.get("hostPath", {}).get("path", "/")
     if not target.startswith("/") or ":" in target or ".." in path.split("/") or not path.startswith("/"):
         raise _without(f"the mount of {path} at {target!a}", "write whole paths, without a colon and ..")
-    mount = {"mountPath": target, **({"readOnly": True} if read_only else {})}
-    return {"container": {"mounts": [(mount, {**source})]}}
+    return {"container": {"mounts": [({"mountPath": target, **({"readOnly": True} if read_only else {})}, source)]}}
 
 
-def _memory(option: Option, target: str, size: str) -> dict[str, Any]:
-    limit = {"sizeLimit": _size(option, size)} if size else {}
-    return _mounted(target, {"emptyDir": {"medium": "Memory", **limit}})
+def _memory(option: Option, target: str, size: str) -> Fields:
+    return _mounted(target, {"emptyDir": {"medium": "Memory", **({"sizeLimit": _size(option, size)} if size else {})}})
 
 
-def _mount(option: Option, call: Call) -> dict[str, Any]:
+def _mount(option: Option) -> Fields:
     mount = dict(fields(option))
     kind, target, source = mount.pop("type", "volume"), mount.pop("target", ""), mount.pop("source", "")
     switch = mount.pop("readonly", "false")
@@ -358,7 +313,7 @@ def _mount(option: Option, call: Call) -> dict[str, Any]:
     return _mounted(target, {"hostPath": {"path": source}}, Option("", switch or None).is_on)
 
 
-def _tmpfs(option: Option, call: Call) -> dict[str, Any]:
+def _tmpfs(option: Option) -> Fields:
     target, _, options = (option.value or "").partition(":")
     sizes = [part for part in options.split(",") if part not in ("", "rw")]
     if any(not part.startswith("size=") for part in sizes):
@@ -366,74 +321,96 @@ def _tmpfs(option: Option, call: Call) -> dict[str, Any]:
     return _memory(option, target, sizes[-1].removeprefix("size=") if sizes else "")
 
 
-def _host_name(option: Option, call: Call) -> dict[str, Any]:
-    if _dns(option.value or "") != option.value:
-        raise _without(f"--hostname {option.value!a}", "write small letters, digits and -")
-    return {"hostname": option.value}
+def _env(option: Option) -> Fields:
+    name, equals, value = (option.value or "").partition("=")
+    if not equals:
+        raise _without(f"-e {name} without a value", f"write -e {name}=VALUE: a cluster has no variables of yours")
+    if not re.fullmatch("[A-Za-z_.-][A-Za-z0-9_.-]*", name):  # all releases take these
+        raise _without(f"the variable {name!a}", "name it with letters, digits and _")
+    return {"container": {"env": {name: value}}}
 
 
-def _host(option: Option, call: Call) -> dict[str, Any]:
-    name, _, address = re.sub("=", ":", option.value or "", count=1).partition(":")
-    address = address.strip("[]")
-    if not re.fullmatch("[0-9A-Fa-f:.]+", address):
-        raise _without(f"--add-host {option.value}", "write --add-host NAME:ADDRESS")
-    return {"hostAliases": [{"ip": address, "hostnames": [name]}]}
-
-
-def _platform(option: Option, call: Call) -> dict[str, Any]:
-    system, _, architecture = (option.value or "").partition("/")
-    if system != "linux" or "/" in architecture:
-        raise _without(f"--platform {option.value}", "write linux/amd64 or linux/arm64")
-    return {"nodeSelector": {"kubernetes.io/arch": architecture}}
-
-
-def _runtime(option: Option, call: Call) -> dict[str, Any]:
-    if _dns(option.value or "") != option.value:
-        raise _without(f"--runtime {option.value!a}", "write the name of a RuntimeClass of the cluster")
-    return {"runtimeClassName": option.value}
-
-
-def _switch(option: Option, call: Call) -> dict[str, Any]:
-    fields = {"privileged": "privileged", "read-only": "readOnlyRootFilesystem"}
-    if option.name == "init" and option.is_on:
+def _init(option: Option) -> Fields:
+    if option.is_on:
         raise _without("--init", "leave out --init; images of ours reap their processes")
-    return _safety({fields[option.name]: option.is_on}) if option.name in fields else {}
+    return {}
 
 
-def _pull(option: Option, call: Call) -> dict[str, Any]:
-    if option.value not in PULLS:
-        raise _without(f"--pull={option.value}", f"write one of {', '.join(PULLS)}")
-    return {"container": {"imagePullPolicy": PULLS[option.value]}}
+REMEDIES = {
+    "device": "a device plugin of the cluster, or --privileged -v /dev:/dev; GPUs are --gpus NUMBER",
+    "env-file": "write -e NAME=VALUE, or leave it out and add a ConfigMap or a Secret to the file",
+}
 
+PULLS = {"always": "Always", "missing": "IfNotPresent", "never": "Never"}
+DNS_NAME = r"(?=.{1,63}\Z)([a-z0-9]+(?:-[a-z0-9]+)*)"
 
-WRITERS: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
-    "add-host": _host,
+FORMS: Mapping[str, tuple[str, str, Callable[[re.Match[str]], Fields]]] = {
+    "add-host": (
+        r"([^:=]*)[:=]\[*([0-9A-Fa-f:.]+)\]*",
+        "write --add-host NAME:ADDRESS",
+        lambda match: {"hostAliases": [{"ip": match[2], "hostnames": [match[1]]}]},
+    ),
+    "cpus": (
+        r"(?=.*[1-9])[0-9]{1,4}(\.[0-9]{1,3})?",
+        "write a number such as 1.5",
+        lambda match: _limit("cpu", match[0]),
+    ),
+    "group-add": (
+        "[0-9]{1,18}",
+        "write the group's number",
+        lambda match: {"securityContext": {"supplementalGroups": [int(match[0])]}},
+    ),
+    "hostname": (DNS_NAME, "write small letters, digits and -", lambda match: {"hostname": match[0]}),
+    "platform": (
+        "linux/([^/]*)",
+        "write linux/amd64 or linux/arm64",
+        lambda match: {"nodeSelector": {"kubernetes.io/arch": match[1]}},
+    ),
+    "pull": (
+        "|".join(PULLS),
+        f"write one of {', '.join(PULLS)}",
+        lambda match: {"container": {"imagePullPolicy": PULLS[match[0]]}},
+    ),
+    "runtime": (
+        DNS_NAME,
+        "write the name of a RuntimeClass of the cluster",
+        lambda match: {"runtimeClassName": match[0]},
+    ),
+    "stop-timeout": (
+        "[0-9]{1,18}",
+        "write --stop-timeout=NUMBER",
+        lambda match: {"terminationGracePeriodSeconds": int(match[0])},
+    ),
+    "sysctl": (
+        "([^=]*)=(.*)",
+        "write --sysctl NAME=VALUE",
+        lambda match: {"securityContext": {"sysctls": [{"name": match[1], "value": match[2]}]}},
+    ),
+    "user": (
+        "([0-9]{1,10})(?::([0-9]{1,10}))?",
+        "write numbers: --user UID:GID",
+        lambda match: _safety(runAsUser=int(match[1]), **({"runAsGroup": int(match[2])} if match[2] else {})),
+    ),
+}
+"""Options by the pattern of their value, the remedy for another value, and the fields."""
+
+WRITERS: Mapping[str, Callable[[Option], Fields]] = {
     "annotation": _label,
     "cap-add": _capability,
     "cap-drop": _capability,
-    "cpus": _cpus,
-    "device": _device,
     "env": _env,
     "gpus": _gpus,
-    "group-add": _group,
-    "hostname": _host_name,
-    "init": _switch,
+    "init": _init,
     "label": _label,
-    "memory": lambda option, call: _limit("memory", _size(option, option.value or "")),
-    "memory-reservation": lambda option, call: _limit("memory", _size(option, option.value or ""), "requests"),
+    "memory": lambda option: _limit("memory", _size(option, option.value or "")),
+    "memory-reservation": lambda option: _limit("memory", _size(option, option.value or ""), "requests"),
     "mount": _mount,
-    "platform": _platform,
-    "privileged": _switch,
+    "privileged": lambda option: _safety(privileged=option.is_on),
     "publish": _port,
-    "pull": _pull,
-    "read-only": _switch,
-    "runtime": _runtime,
+    "read-only": lambda option: _safety(readOnlyRootFilesystem=option.is_on),
     "security-opt": _security,
-    "shm-size": lambda option, call: _memory(option, "/dev/shm", option.value or ""),
-    "stop-timeout": lambda option, call: {"terminationGracePeriodSeconds": _number("stop-timeout", call)},
-    "sysctl": _sysctl,
+    "shm-size": lambda option: _memory(option, "/dev/shm", option.value or ""),
     "tmpfs": _tmpfs,
-    "user": _user,
     "volume": _volume,
-    "workdir": lambda option, call: {"container": {"workingDir": option.value or ""}},
+    "workdir": lambda option: {"container": {"workingDir": option.value or ""}},
 }

@@ -39,45 +39,34 @@ KEYS = {
 SINGLE = ("hostname", "name", "pull", "user", "userns", "workdir")
 """Options of which the last one counts; the generator puts PodmanArgs after all keys."""
 
-PAIRS = {"annotation": "Annotation", "env": "Environment", "label": "Label"}
-"""Keys with quotes: a name and a value."""
-
-SAFETY = {"label=disable": "SecurityLabelDisable", "no-new-privileges": "NoNewPrivileges"}
-"""Values of --security-opt with a key of their own."""
-
+QUOTED_KEYS = {"annotation": "Annotation", "env": "Environment", "label": "Label"}
+SECURITY_KEYS = {"label=disable": "SecurityLabelDisable", "no-new-privileges": "NoNewPrivileges"}
 DROPPED = ("interactive", "tty")
-"""A unit has no terminal."""
-
 OF_DOCKER = (
     *("cpu-count", "cpu-percent", "domainname", "health-start-interval", "io-maxbandwidth", "io-maxiops", "isolation"),
     *("kernel-memory", "link", "link-local-ip", "use-api-socket", "volume-driver"),
 )
-"""Options that podman does not have."""
 
 OF_THE_GENERATOR = ("cidfile", "rootfs", "sdnotify")
 """Options that the generator writes itself, or that change what the image is."""
 
 RESTARTS = {"always": "always", "no": "no", "on-failure": "on-failure", "unless-stopped": "always"}
-"""systemd's words for those of --restart."""
-
-UNITS = (".build", ".container", ".image", ".kube", ".network", ".pod", ".volume")
+UNIT_SUFFIXES = (".build", ".container", ".image", ".kube", ".network", ".pod", ".volume")
 """Ends of names that the generator takes for other files of its kind."""
 
 PLAIN = re.compile(r"[A-Za-z0-9_/.@+][A-Za-z0-9_/.@:+=,-]*")
 """Values that neither the generator nor systemd change."""
 
 PORT = re.compile(r"(?:(?:[0-9]{1,3}(?:\.[0-9]{1,3}){3}:)?[0-9]{1,5}:)?[0-9]{1,5}(?:/(?:tcp|udp))?")
-"""The values of -p that all generators take."""
-
 VARIABLE = re.compile("[A-Za-z_][A-Za-z0-9_.-]*")
 ESCAPES = {'"': r"\"", "\\": r"\\", "\n": r"\n", "\r": r"\r", "\t": r"\t", "%": "%%", "$": "$$"}
-PULLING = 900
+START_TIMEOUT = 900
 """Seconds for a start: the first one pulls the image. systemd's default is 90."""
 
-PAUSE = 5
+RESTART_DELAY = 5
 """Seconds before another start. With less than 2, systemd gives up after 5 starts."""
 
-PATIENCE = 60
+STOP_TIMEOUT = 60
 """Seconds for a stop for which systemd's default of 90 is enough."""
 
 
@@ -120,8 +109,8 @@ def text(call: Call) -> str:
         "",
         "[Service]",
         f"Restart={_restart((call.values('restart') or ['always'])[-1])}",
-        f"RestartSec={PAUSE}",
-        f"TimeoutStartSec={PULLING}",
+        f"RestartSec={RESTART_DELAY}",
+        f"TimeoutStartSec={START_TIMEOUT}",
         *_patience(call),
         "",
         "[Install]",
@@ -137,7 +126,7 @@ def _last(options: Sequence[Option]) -> list[Option]:
         key: object = number
         if option.name in SINGLE:
             key = option.name
-        elif option.name in PAIRS:
+        elif option.name in QUOTED_KEYS:
             key = option.name, (option.value or "").partition("=")[0]
         by_key[key] = option
     return [*by_key.values()]
@@ -156,8 +145,8 @@ def _lines(option: Option, call: Call) -> Iterator[str]:
     value = option.value or ""
     if name == "gpus":
         yield from (f"AddDevice=nvidia.com/gpu={_plain_id(gpu_id)}" for gpu_id in _gpu_ids(option))
-    elif name in PAIRS and ("=" in value or name != "env"):
-        yield f"{PAIRS[name]}={_quoted(value if '=' in value else f'{value}=')}"
+    elif name in QUOTED_KEYS and ("=" in value or name != "env"):
+        yield f"{QUOTED_KEYS[name]}={_quoted(value if '=' in value else f'{value}=')}"
     elif name == "env":
         if not VARIABLE.fullmatch(value):
             raise RosmlError(f"{value!a} is no name of a variable", "write -e NAME=VALUE", exit_code=2)
@@ -166,8 +155,8 @@ def _lines(option: Option, call: Call) -> Iterator[str]:
     elif name == "user" and (ids := re.fullmatch(r"([0-9]+)(?::([0-9]+))?", value)):
         yield f"User={ids[1]}"
         yield from [f"Group={ids[2]}"] if ids[2] else []
-    elif name == "security-opt" and value in SAFETY:
-        yield f"{SAFETY[value]}=true"
+    elif name == "security-opt" and value in SECURITY_KEYS:
+        yield f"{SECURITY_KEYS[value]}=true"
     elif name in KEYS and _fits(name, value):
         yield f"{KEYS[name]}={value}"
     else:
@@ -180,7 +169,7 @@ def _fits(name: str, value: str) -> bool:
     if name == "publish":
         return PORT.fullmatch(value) is not None
     source = value.partition(":")[0]
-    return PLAIN.fullmatch(value) is not None and not source.endswith(UNITS)
+    return PLAIN.fullmatch(value) is not None and not source.endswith(UNIT_SUFFIXES)
 
 
 def _gpu_ids(option: Option) -> Sequence[str]:
@@ -218,14 +207,18 @@ def _patience(call: Call) -> list[str]:
     timeout = (call.values("stop-timeout") or [""])[-1]
     if timeout == "-1":
         return ["TimeoutStopSec=infinity"]
-    return [f"TimeoutStopSec={int(timeout) + PATIENCE}"] if COUNT.fullmatch(timeout) and int(timeout) > PATIENCE else []
+    return (
+        [f"TimeoutStopSec={int(timeout) + STOP_TIMEOUT}"]
+        if COUNT.fullmatch(timeout) and int(timeout) > STOP_TIMEOUT
+        else []
+    )
 
 
 def _image(name: str) -> str:
     """The image's name. The generator takes `x.image` and `x.build` for files of its kind."""
     if not PLAIN.fullmatch(name):
         raise RosmlError(f"{name!a} is no name of an image in a unit", "docker tag gives it a plain name", exit_code=2)
-    return f"{name}:latest" if name.endswith(UNITS) else name
+    return f"{name}:latest" if name.endswith(UNIT_SUFFIXES) else name
 
 
 def _argument(word: str) -> str:

@@ -16,11 +16,7 @@ from rosml.run.plugins.user import claims
 from rosml.run.words import Line
 
 TARGET = "src/target"
-"""The path in the workspace at which --mws mounts a folder."""
-
 COMPONENT_LABEL = "io.rosml.component"
-"""A label of all our images."""
-
 GRACE = 30
 """Seconds that a container has to stop. The engines' default is 10, but `ros2 launch` kills a hanging node only after 10, and
 roslaunch after 17 (docs/stopping.md)."""

@@ -9,11 +9,7 @@ from collections.abc import Iterable
 from rosml.run.context import Host
 
 DRIVEN = "/sys/bus/pci/drivers/nvidia"
-"""The folder with a link for each PCI device that NVIDIA's driver has."""
-
 BOARD = "/proc/device-tree/compatible"
-"""The file that says which chip a Jetson has."""
-
 CARDS = {
     "15f.": (6, 0),
     "1[bc]..|1d[0-5].": (6, 1),

@@ -25,8 +25,6 @@ WSL = ("/dev/dxg", "/usr/lib/wsl/lib/libcuda.so.1")
 """Windows shows every GPU as /dev/dxg; CUDA's library is there if NVIDIA's driver is."""
 
 HOOKS = ("nvidia-container-runtime-hook", "nvidia-container-toolkit")
-"""The programs of NVIDIA's Container Toolkit that docker calls for --gpus."""
-
 TOOLKIT = "install NVIDIA's Container Toolkit"
 GUIDE = "https://docs.nvidia.com/datacenter/cloud-native/container-toolkit/"
 
@@ -51,7 +49,6 @@ FOR_PODMAN = (
     "podman before 5.0 starts a container without a GPU for --gpus",
     "write --device nvidia.com/gpu=all instead",
 )
-"""The warning about an option that podman takes for docker's sake."""
 
 
 def is_nvidia(host: Host) -> bool:

@@ -10,39 +10,39 @@ from rosml.run import words
 from rosml.run.context import Container, Context
 
 HOST = "host"
-"""The network, or the shared memory, of the machine on which the engine runs."""
-
 ALONE = "private"
-"""A network that a container shares with no other."""
-
 SHM = "/dev/shm"
-ROS_1 = ("indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
-"""Distributions of ROS 1; our images also set ROS_VERSION."""
-
+ROS_1_DISTRIBUTIONS = ("indigo", "jade", "kinetic", "lunar", "melodic", "noetic")
 WITHOUT_RANGE = ("dashing", "eloquent", "foxy", "galactic", "humble")
 """Distributions of ROS 2 that know only ROS_LOCALHOST_ONLY."""
 
-DEFAULT = "rmw_fastrtps_cpp"
-"""The default RMW implementation of ROS 2; galactic alone took Cyclone DDS."""
-
-RMW = "io.rosml.rmw"
-"""The label of an image with another default."""
+DEFAULT_RMW = "rmw_fastrtps_cpp"
+RMW_LABEL = "io.rosml.rmw"
 
 
-WITHOUT = "-e FASTDDS_BUILTIN_TRANSPORTS=UDPv4"
-"""Turns off Fast DDS's shared memory."""
+WITHOUT_SHARED_MEMORY = "-e FASTDDS_BUILTIN_TRANSPORTS=UDPv4"
 
 
 def share(network: str) -> str:
     """The remedy if nodes on a network would hand over data in a memory that others on it do not have."""
-    return f"--ipc {network}; or without shared memory: {WITHOUT}"
+    return f"--ipc {network}; or without shared memory: {WITHOUT_SHARED_MEMORY}"
 
 
 ROS_NETWORK = "ros-network"
 """rosml's option for this machine's network. The engines take one network."""
 
-NETWORK = ("network", "net", "publish", "publish-all", "link", "ip", "ip6", "mac-address", "network-alias", "net-alias")
-"""Options for a network of the container's own."""
+OWN_NETWORK = (
+    "network",
+    "net",
+    "publish",
+    "publish-all",
+    "link",
+    "ip",
+    "ip6",
+    "mac-address",
+    "network-alias",
+    "net-alias",
+)
 
 
 def no_network(context: Context) -> str:
@@ -50,7 +50,7 @@ def no_network(context: Context) -> str:
     line, engine = context.line, context.engine
     if engine.rootless and not engine.podman:
         return "docker without root does not reach this machine's network"
-    typed = next((option.words[0] for option in line.engine if set(option.names) & {*NETWORK}), "")
+    typed = next((option.words[0] for option in line.engine if set(option.names) & {*OWN_NETWORK}), "")
     if typed and (line.values("network", "net") or [""])[-1] != HOST:
         return f"it needs --network host, which does not go with {typed}"
     return ""
@@ -78,11 +78,13 @@ class Place:
     def version(self) -> str:
         """1 or 2; empty if there is no ROS."""
         distribution = self.environment.get("ROS_DISTRO", "")
-        return self.environment.get("ROS_VERSION") or (distribution and ("1" if distribution in ROS_1 else "2"))
+        return self.environment.get("ROS_VERSION") or (
+            distribution and ("1" if distribution in ROS_1_DISTRIBUTIONS else "2")
+        )
 
     @property
     def rmw(self) -> str:
-        default = "rmw_cyclonedds_cpp" if self.environment.get("ROS_DISTRO") == "galactic" else DEFAULT
+        default = "rmw_cyclonedds_cpp" if self.environment.get("ROS_DISTRO") == "galactic" else DEFAULT_RMW
         return self.environment.get("RMW_IMPLEMENTATION") or self.default or default
 
     @property
@@ -140,13 +142,15 @@ def planned(context: Context, argv: Sequence[str]) -> Place:
     user = environment.get("DOCKER_UID") or line.value("user").partition(":")[0]
     uid = "" if engine.rootless else _number(user or ("0" if "DOCKER_UID" in environment else ""))
     ipc = HOST if mounted else line.value("ipc") or ALONE
-    return Place("the container", environment, _network_name(network), ipc, uid, context.image.labels.get(RMW, ""))
+    return Place(
+        "the container", environment, _network_name(network), ipc, uid, context.image.labels.get(RMW_LABEL, "")
+    )
 
 
 def running(container: Container, rootless: bool) -> Place:
     ipc = HOST if SHM in container.mounts else container.ipc
     user = container.environment.get("DOCKER_UID") or container.user.partition(":")[0] or "0"
-    uid, default = "" if rootless else _number(user), container.labels.get(RMW, "")
+    uid, default = "" if rootless else _number(user), container.labels.get(RMW_LABEL, "")
     return Place(container.name, container.environment, _network_name(container.network), ipc, uid, default)
 
 

@@ -8,11 +8,9 @@ from rosml.base.errors import RosmlError
 from rosml.run.context import Context
 from rosml.run.plugin import Added, Plugin
 from rosml.run.plugins import places
-from rosml.run.plugins.places import NETWORK, ROS_NETWORK, no_network
+from rosml.run.plugins.places import OWN_NETWORK, ROS_NETWORK, no_network
 
 ANYWHERE = {"1": ("ROS_MASTER_URI",), "2": ("ROS_DOMAIN_ID", "ROS_STATIC_PEERS")}
-"""Variables for every container with this version of ROS."""
-
 ON_THE_NETWORK = {
     "1": ("ROS_IP", "ROS_HOSTNAME"),
     "2": ("ROS_AUTOMATIC_DISCOVERY_RANGE", "ROS_LOCALHOST_ONLY", "ROS_DISCOVERY_SERVER"),
@@ -46,7 +44,7 @@ def _network(context: Context) -> list[str]:
         if not context.engine.rootless or context.engine.podman:
             remedy = "leave out one of them; on this machine's network, no port needs -p"
         raise RosmlError(f"--{ROS_NETWORK}: {reason}", remedy, exit_code=2)
-    network = [] if line.has(*NETWORK) else ["--network", "host"]
+    network = [] if line.has(*OWN_NETWORK) else ["--network", "host"]
     return [*network, *([] if line.has("ipc") else ["--ipc", "host"])]
 
 

@@ -10,20 +10,12 @@ from rosml.run.context import Container, Context, Host, Person
 from rosml.run.paths import bind
 from rosml.run.plugin import NOTHING, Added, Plugin
 from rosml.run.plugins import xauthority
-from rosml.run.plugins.places import NETWORK, ROS_NETWORK, no_network
+from rosml.run.plugins.places import OWN_NETWORK, ROS_NETWORK, no_network
 
-MOUNTS = "/run/rosml"
-"""The folder of the container for rosml's own mounts."""
-
-COOKIE = f"{MOUNTS}/xauth"
-"""The path of X11's cookie in a container."""
-
+MOUNT_FOLDER = "/run/rosml"
+COOKIE = f"{MOUNT_FOLDER}/xauth"
 DISPLAY = re.compile(r"(?P<machine>[^:/]*)(?:/unix)?:(?P<number>[0-9]{1,4})(?:\.[0-9]+)?")
-"""Such as `:0`, `localhost:10.0`, `robot:1`."""
-
 LOCALHOST = ("localhost", "127.0.0.1")
-"""The machine in a display of `ssh -X`."""
-
 SNAP = "docker is a snap here, and a snap does not see the sockets of your session"
 OTHER = "install another docker: snap remove docker; apt-get install docker.io"
 
@@ -94,7 +86,7 @@ def _x11(context: Context) -> Added:
         local = machine in LOCALHOST
         if local and (reason := no_network(context)):
             return Added(notes=[(f"no windows: DISPLAY={display} is ssh's, and {reason}", "--no-x11 asks for none")])
-        chooses_network = context.line.has(*NETWORK) or context.line.asks(ROS_NETWORK)
+        chooses_network = context.line.has(*OWN_NETWORK) or context.line.asks(ROS_NETWORK)
         words = [*(["--network", "host"] if local and not chooses_network else []), *variables(DISPLAY=display)]
     words += variables(QT_X11_NO_MITSHM="1")  # the container shares no memory with the display
     cookie = _cookie(host, machine, number)
@@ -166,7 +158,7 @@ def ssh_agent(context: Context) -> Sequence[str]:
         return _elsewhere(context, "ssh-agent")
     if not context.line.asks("ssh-agent") or context.line.sets("SSH_AUTH_SOCK"):
         return []
-    socket, target = context.host.environment.get("SSH_AUTH_SOCK", ""), f"{MOUNTS}/ssh-agent"
+    socket, target = context.host.environment.get("SSH_AUTH_SOCK", ""), f"{MOUNT_FOLDER}/ssh-agent"
     if not socket.startswith("/") or not context.host.answers(socket):
         raise RosmlError("--ssh-agent: no agent answers here", 'eval "$(ssh-agent)"; ssh-add')
     return [*mounted(socket, target), *variables(SSH_AUTH_SOCK=target)]

@@ -16,19 +16,13 @@ SYSTEM = (
 )
 """Names of system users in images. They have their own uids, so an entrypoint makes no second one."""
 
-KEPT = "--userns=keep-id"
-"""For podman without root: the user has the same uid in the container."""
-
+KEEP_ID = "--userns=keep-id"
 VARIABLE = "DOCKER_UID"
 """A variable in the environment of images that make the user themselves, and start as root for that (docs/contract.md). Any
 image can claim so."""
 
 NO_ENTRY = "--passwd=false"
-"""For podman: it writes no entry into the container's /etc/passwd."""
-
-ENTRY = ("passwd", "passwd-entry", "group-entry", "hostuser")
-"""Options of podman about its entries."""
-
+ENTRY_OPTIONS = ("passwd", "passwd-entry", "group-entry", "hostuser")
 LOCKED = "no-new-privileges"
 """The value of --security-opt that gives no setuid program of the image another user's rights."""
 
@@ -50,7 +44,7 @@ def user(context: Context) -> Sequence[str]:
     as_root = context.image.user.partition(":")[0] in ("", "0", "root")
     if engine.rootless and not engine.podman:
         return [] if makes_users and as_root else root
-    namespace = [KEPT] if engine.rootless else []
+    namespace = [KEEP_ID] if engine.rootless else []
     if not makes_users:
         return [*namespace, *_bare(context), *(_locked(context) if _gains(context) else [])]
     if namespace:
@@ -95,7 +89,7 @@ def _entry(context: Context, option: str) -> Sequence[str]:
     home is the working directory, and so a mounted project: programs would leave their files in it. Nothing if the user types such
     an option, or podman is too old for it."""
     engine = context.engine
-    return [option] if engine.podman and engine.passwd and not context.line.has(*ENTRY) else []
+    return [option] if engine.podman and engine.passwd and not context.line.has(*ENTRY_OPTIONS) else []
 
 
 def _locked(context: Context) -> Sequence[str]:
