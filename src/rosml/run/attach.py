@@ -16,9 +16,7 @@ HERE = "."
 ENTRYPOINT = "/entrypoint.sh"
 """The script that makes the user in our images, and sources ROS (docs/contract.md)."""
 
-PASSED = frozenset(
-    ("detach", "detach-keys", "env", "env-file", "interactive", "privileged", "tty", "user", "workdir"),
-)
+PASSED = frozenset(("detach", "detach-keys", "env", "env-file", "interactive", "privileged", "tty", "user", "workdir"))
 
 SHELLS = ("ash", "bash", "dash", "fish", "ksh", "sh", "zsh")
 IDLE = ("created", "exited", "configured", "initialized", "stopped")

@@ -67,10 +67,7 @@ class Run(container.Words):
 )
 @container.showing
 @click.option(
-    "--check",
-    is_flag=True,
-    expose_value=False,
-    help="say what keeps ROS nodes apart from others, and start no command",
+    "--check", is_flag=True, expose_value=False, help="say what keeps ROS nodes apart from others, and start no command"
 )
 @click.option(
     "--export",

@@ -11,17 +11,7 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.run.context import Context
 from rosml.run.exports import yaml_text
-from rosml.run.exports.description import (
-    COUNT,
-    Call,
-    Option,
-    fields,
-    file,
-    gpus,
-    lasting,
-    placed,
-    volume,
-)
+from rosml.run.exports.description import COUNT, Call, Option, fields, file, gpus, lasting, placed, volume
 from rosml.run.exports.yaml_text import merged, nested
 
 SAME_NAMES = (

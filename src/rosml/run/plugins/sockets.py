@@ -144,10 +144,7 @@ def sound(context: Context) -> Sequence[str]:
     if (server or folder) and host.answers(pulse):
         words += [*mounted(pulse, f"{inside}/pulse/native"), *variables(PULSE_SERVER=f"unix:{inside}/pulse/native")]
     if folder and host.answers(f"{folder}/pipewire-0"):
-        words += [
-            *mounted(f"{folder}/pipewire-0", f"{inside}/pipewire-0"),
-            *variables(PIPEWIRE_RUNTIME_DIR=inside),
-        ]
+        words += [*mounted(f"{folder}/pipewire-0", f"{inside}/pipewire-0"), *variables(PIPEWIRE_RUNTIME_DIR=inside)]
     if not words:
         raise RosmlError("--sound: neither PulseAudio nor PipeWire answers here", "start it, or leave out --sound")
     return words
