@@ -82,16 +82,12 @@ def is_trusted(repository: str, place: Path) -> bool | None:
 
 def with_file(file: File, digest: str, place: Path) -> bytes:
     """The memory with a file that is allowed until its digest changes."""
-    return _with(file.path, digest, place)
+    return json.dumps(_allowed(place) | {file.path: digest}, indent=1).encode()
 
 
 def with_repository(repository: str, trusted: bool, place: Path) -> bytes:
     """The memory with the user's answer about a repository."""
-    return _with(IMAGES + repository, trusted, place)
-
-
-def _with(key: str, value: object, place: Path) -> bytes:
-    return json.dumps(_allowed(place) | {key: value}, indent=1).encode()
+    return json.dumps(_allowed(place) | {IMAGES + repository: trusted}, indent=1).encode()
 
 
 def _allowed(place: Path) -> dict[str, object]:

@@ -6,6 +6,7 @@ import os
 import pwd
 import stat
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 
 from rosml.base.errors import RosmlError
@@ -16,33 +17,25 @@ ZONES = "zoneinfo/"
 
 def person(environment: Mapping[str, str]) -> Person:
     """The user of this process."""
-    uid = os.geteuid()
+    uid, name = os.geteuid(), ""
+    with suppress(KeyError):
+        name = pwd.getpwuid(uid).pw_name
     try:
         folder = os.getcwd()
     except OSError as error:
         raise RosmlError(f"the current folder: {error.strerror}", "go to another folder", exit_code=2) from None
-    return Person(
-        uid,
-        os.getegid(),
-        _name(uid),
-        folder,
-        timezone=timezone(environment),
-        locale={k: v for k, v in environment.items() if k in ("LANG", "LANGUAGE") or k.startswith("LC_")},
-        terminal=os.isatty(0) and os.isatty(1),
-        reads=reads(0),
-    )
-
-
-def _name(uid: int) -> str:
-    try:
-        return pwd.getpwuid(uid).pw_name
-    except KeyError:
-        return ""
+    locale = {k: v for k, v in environment.items() if k in ("LANG", "LANGUAGE") or k.startswith("LC_")}
+    terminal = os.isatty(0) and os.isatty(1)
+    return Person(uid, os.getegid(), name, folder, timezone(environment), locale, terminal, reads(0))
 
 
 def timezone(environment: Mapping[str, str], etc: Path = Path("/etc")) -> str:
     """The name of the time zone: that of TZ, or else the system's; empty if neither has a name."""
-    places = (environment.get("TZ", "").removeprefix(":"), _link(etc / "localtime"), _text(etc / "timezone"))
+    places = [environment.get("TZ", "").removeprefix(":")]
+    with suppress(OSError):
+        places.append(os.readlink(etc / "localtime"))
+    with suppress(OSError, UnicodeDecodeError):
+        places.append((etc / "timezone").read_text(encoding="utf-8").strip())
     return next(filter(None, map(_zone, places)), "")
 
 
@@ -51,20 +44,6 @@ def _zone(place: str) -> str:
     if ZONES in place:
         return place.rpartition(ZONES)[2]
     return "" if place.startswith(("/", ".")) else place
-
-
-def _link(file: Path) -> str:
-    try:
-        return os.readlink(file)
-    except OSError:
-        return ""
-
-
-def _text(file: Path) -> str:
-    try:
-        return file.read_text(encoding="utf-8").strip()
-    except (OSError, UnicodeDecodeError):
-        return ""
 
 
 def reads(descriptor: int) -> bool:

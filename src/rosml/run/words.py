@@ -43,6 +43,7 @@ NOT_OF_RUN = {
 }
 """Remedies for options that the engines, rosml or a similar tool have at another place."""
 
+MOST_OPTIONS = 10_000
 
 LETTERS = ("-it", "-ti", "-v", "-e", "-p")
 """Options of the engines with one letter that people write most. Others, such as -l, are often those of a program."""
@@ -125,28 +126,22 @@ class Table:
     values: frozenset[str]
     switches: frozenset[str]
     letters: Mapping[str, str]
-
-    @property
-    def names(self) -> frozenset[str]:
-        return self.values | self.switches
+    names: frozenset[str]
 
 
 @cache
 def table() -> Table:
     """The options of docker and podman, from engine_options.txt."""
-    kinds: dict[str, set[str]] = {"value": set(), "switch": set()}
+    names: dict[str, set[str]] = {"value": set(), "switch": set()}
     letters: dict[str, str] = {}
     for line in Path(__file__).with_name("engine_options.txt").read_text(encoding="utf-8").splitlines():
-        if line.startswith("#"):
-            continue
-        kind, *letter, long = line.split()
-        name = long.removeprefix("--")
-        kinds[kind].add(name)
-        letters.update({short.removeprefix("-"): name for short in letter})
-    return Table(frozenset(kinds["value"]), frozenset(kinds["switch"]), letters)
-
-
-MOST_OPTIONS = 10_000
+        if not line.startswith("#"):
+            kind, *letter, long = line.split()
+            name = long.removeprefix("--")
+            names[kind].add(name)
+            letters.update({short.removeprefix("-"): name for short in letter})
+    values, switches = frozenset(names["value"]), frozenset(names["switch"])
+    return Table(values, switches, letters, values | switches)
 
 
 def split(words: Collection[str], rosml_options: Collection[str], with_value: Collection[str] = ()) -> Line:
@@ -178,10 +173,8 @@ def _line(rosml_words: list[str], engine: list[TypedOption], rest: list[str]) ->
         text = f"{len(engine):,} options are more than any call of an engine needs"
         raise RosmlError(text, f"write at most {MOST_OPTIONS:,}; --env-file takes many variables", exit_code=2)
     image = rest[0] if rest else ""
-    has_program = any(
-        "entrypoint" in option.names for option in engine
-    )  # the command is its arguments, also empty ones
-    for word, part in zip(rest, ("image",) if has_program else ("image", "command"), strict=False):
+    has_entrypoint = any("entrypoint" in option.names for option in engine)  # then the command may be empty
+    for word, part in zip(rest, ("image",) if has_entrypoint else ("image", "command"), strict=False):
         if not word:
             remedy = f"leave it out, or look at the variable that should hold the {part}"
             raise RosmlError(f"the {part} is an empty word", remedy, exit_code=2)
@@ -210,13 +203,14 @@ def _long(word: str, rest: Iterator[str], rosml_options: Collection[str]) -> Typ
 
 def _remedy(word: str, rosml_options: Collection[str]) -> str:
     """A similar name, and the way to write an option of a newer engine."""
-    if word.removeprefix("--") in NOT_OF_RUN:
-        return NOT_OF_RUN[word.removeprefix("--")]
+    name = word.removeprefix("--")
+    if name in NOT_OF_RUN:
+        return NOT_OF_RUN[name]
     from difflib import get_close_matches  # only needed when something is wrong
 
-    names = [*(name.removeprefix("--") for name in rosml_options), *table().names]
+    names = [*(option.removeprefix("--") for option in rosml_options), *table().names]
     advice = f"{word}=VALUE gives it to docker or podman; for a switch, write {word}=true"
-    meant = get_close_matches(word.removeprefix("--"), names, n=1, cutoff=0.75)
+    meant = get_close_matches(name, names, n=1, cutoff=0.75)
     return f"did you mean --{meant[0]}? {advice}" if meant else advice
 
 

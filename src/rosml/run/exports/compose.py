@@ -83,8 +83,8 @@ MOUNT_FIELDS = {
 
 def portable(context: Context) -> Context:
     """The context of a file of compose, which has no word for podman's entry in /etc/passwd."""
-    lasting_context = lasting(context)
-    return replace(lasting_context, engine=replace(lasting_context.engine, passwd=False))
+    context = lasting(context)
+    return replace(context, engine=replace(context.engine, passwd=False))
 
 
 def text(call: Call) -> str:
@@ -111,16 +111,13 @@ def _part(option: Option, call: Call) -> dict[str, Any]:
         return WRITERS[name](option, call)
     if name not in NAMES or value not in ACCEPTED_VALUES.get(name, (value,)):
         raise _without(option, f"--{name}" if name not in NAMES else f"--{name}={value}")
-    written: Any = value
     if name in SWITCHES:
-        written = option.is_on
-    elif name in REPEATABLE:
-        written = [value]
-    elif name in NAME_AND_VALUE:
+        return nested(NAMES[name], option.is_on)
+    if name in NAME_AND_VALUE:
         key, equals, text = value.partition("=")
-        # None: from the environment of the user who starts it.
-        written = {key: None if name == "env" and not equals else text}
-    return nested(NAMES[name], written)
+        from_caller = name == "env" and not equals  # the environment of the user who starts it
+        return nested(NAMES[name], {key: None if from_caller else text})
+    return nested(NAMES[name], [value] if name in REPEATABLE else value)
 
 
 def _without(option: Option, what: str) -> RosmlError:
@@ -136,10 +133,6 @@ def _network(option: Option, call: Call) -> dict[str, Any]:
     return {"networks": {value: {}}}
 
 
-def _volume(option: Option, call: Call) -> dict[str, Any]:
-    return {"volumes": [volume(option, call, ".")]}
-
-
 def _mount(option: Option, call: Call) -> dict[str, Any]:
     """A mount. The engines refuse a missing folder; compose would make it."""
     mount: dict[str, Any] = {"type": "volume"}
@@ -149,18 +142,13 @@ def _mount(option: Option, call: Call) -> dict[str, Any]:
         written: Any = value
         if key in ("readonly", "volume-nocopy"):
             written = Option(key, value or None).is_on
-        elif key == "tmpfs-mode":
-            written = _octal(value)
+        elif key == "tmpfs-mode" and re.fullmatch("[0-7]{1,9}", value):
+            written = int(value, 8)  # compose reads it with the base 10
         mount = merged(mount, nested(MOUNT_FIELDS[key], written))
     if mount["type"] == "bind":
         mount = merged(mount, {"bind": {"create_host_path": False}})
         mount["source"] = placed(mount.get("source", ""), call, ".")
     return {"volumes": [mount]}
-
-
-def _octal(mode: str) -> int | str:
-    """A mode. The engines read it with the base 8, compose with the base 10."""
-    return int(mode, 8) if re.fullmatch("[0-7]{1,9}", mode) else mode
 
 
 def _gpus(option: Option, call: Call) -> dict[str, Any]:
@@ -181,10 +169,7 @@ def _ulimit(option: Option, call: Call) -> dict[str, Any]:
 
 
 def _number(text: str) -> int | str:
-    return int(text) if NUMBER.fullmatch(text) else text
-
-
-NUMBER = re.compile("-?[0-9]{1,18}")
+    return int(text) if re.fullmatch("-?[0-9]{1,18}", text) else text
 
 
 WRITERS: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
@@ -195,7 +180,7 @@ WRITERS: Mapping[str, Callable[[Option, Call], dict[str, Any]]] = {
     "network": _network,
     "stop-timeout": lambda option, call: {"stop_grace_period": f"{option.value}s"},
     "ulimit": _ulimit,
-    "volume": _volume,
+    "volume": lambda option, call: {"volumes": [volume(option, call, ".")]},
     "volumes-from": lambda option, call: {"volumes_from": [f"container:{option.value}"]},
 }
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -51,9 +51,8 @@ def _read(file: Path) -> str:
     """The text of a file, with its own ends of lines."""
     content = files.regular(file, untrusted.SIZE)
     if content is None:
-        raise RosmlError(
-            f"{file}: there is no such file", f"make it: rosml run --export compose … >{file}", exit_code=2
-        )
+        remedy = f"make it: rosml run --export compose … >{file}"
+        raise RosmlError(f"{file}: there is no such file", remedy, exit_code=2)
     try:
         return content.decode()
     except UnicodeDecodeError:
@@ -67,30 +66,22 @@ def added(text: str, content: Mapping[str, Mapping[str, Any]], what: str) -> str
         raise RosmlError(f"{what}: has more than {MOST_CHARACTERS >> 10} kB", BY_HAND, exit_code=2)
     events, newline = _events(text, what), "\r\n" if "\r\n" in text else "\n"
     if not events:
-        return (
-            text + (newline if text and text[-1] not in "\r\n" else "") + yaml_text.text(content).replace("\n", newline)
-        )
-    edits = [
-        edit for name in SECTIONS if content.get(name) for edit in _section(text, events, name, content[name], what)
-    ]
-    lines = text.splitlines(keepends=True)
+        ending = newline if text and text[-1] not in "\r\n" else ""
+        return text + ending + yaml_text.text(content).replace("\n", newline)
+    sections = [_section(text, events, name, content[name], what) for name in SECTIONS if content.get(name)]
+    edits = sorted(
+        filter(None, sections), key=lambda edit: (edit.line, edit.event)
+    )  # at the same line: the inner one first
+    lines, signatures = text.splitlines(keepends=True), [*map(_signature, events)]
     if any(edit.line == len(lines) for edit in edits) and lines[-1][-1] not in "\r\n":
         lines[-1] += newline
-    edits.sort(key=lambda edit: (edit.line, edit.event))  # what ends at the same line: the inner one first
     for edit in reversed(edits):
         lines.insert(edit.line, edit.text.replace("\n", newline))
+        signatures[edit.event : edit.event + edit.replaced] = map(_signature, edit.events)
     after = "".join(lines)
-    if [*map(_signature, _events(after, what))] != _expected(events, edits):
+    if [*map(_signature, _events(after, what))] != signatures:
         raise RosmlError(f"{what}: the addition would change what is there", BY_HAND, exit_code=2)
     return after
-
-
-def _expected(events: Sequence[Any], edits: Sequence[Edit]) -> list[tuple[Any, ...]]:
-    """The events that a text must have once all is added, from edits in their order."""
-    signatures = [*map(_signature, events)]
-    for edit in reversed(edits):
-        signatures[edit.event : edit.event + edit.replaced] = map(_signature, edit.events)
-    return signatures
 
 
 def _events(text: str, what: str) -> list[Any]:
@@ -99,12 +90,8 @@ def _events(text: str, what: str) -> list[Any]:
         events = [*untrusted.yaml_events(text)]
         untrusted.yaml_node(text)
     except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        why = (
-            f"line {mark.line + 1}: {getattr(error, 'problem', '')}"
-            if mark
-            else "it has a character that YAML does not allow"
-        )
+        mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", "")
+        why = f"line {mark.line + 1}: {problem}" if mark else "it has a character that YAML does not allow"
         raise RosmlError(f"{what} is no YAML: {why}", "correct it", exit_code=2) from None
     starts = [event for event in events if isinstance(event, yaml.DocumentStartEvent)]
     if not starts:
@@ -122,76 +109,56 @@ def _signature(event: Any) -> tuple[Any, ...]:
     return (type(event).__name__, *(getattr(event, name, None) for name in fields))
 
 
-def _children(events: Sequence[Any], start: int) -> Iterator[tuple[int, int, int]]:
-    """The pairs of a mapping that starts at an event: where the key is, where the value is, where it has ended."""
-    place = start + 1
-    while not isinstance(events[place], yaml.MappingEndEvent):
-        value = _end(events, place)
-        after = _end(events, value)
-        yield place, value, after
-        place = after
-
-
 def _end(events: Sequence[Any], start: int) -> int:
     """The event after a value."""
     depth = 0
     for place in range(start, len(events)):
-        depth += isinstance(events[place], yaml.CollectionStartEvent) - isinstance(
-            events[place], yaml.CollectionEndEvent
-        )
+        depth += isinstance(events[place], yaml.CollectionStartEvent)
+        depth -= isinstance(events[place], yaml.CollectionEndEvent)
         if depth == 0:
             return place + 1
     return len(events)
 
 
 def _pairs(events: Sequence[Any], start: int) -> dict[str, tuple[int, int]]:
-    """The pairs of a mapping by their keys: where the value is, and where it has ended."""
-    return {getattr(events[key], "value", ""): (value, after) for key, value, after in _children(events, start)}
+    """The pairs of a mapping that starts at an event, by their keys: where the value is, and where it has ended."""
+    pairs, key = {}, start + 1
+    while not isinstance(events[key], yaml.MappingEndEvent):
+        value = _end(events, key)
+        after = _end(events, value)
+        pairs[getattr(events[key], "value", "")] = value, after
+        key = after
+    return pairs
 
 
-def _section(text: str, events: Sequence[Any], name: str, additions: Mapping[str, Any], what: str) -> list[Edit]:
-    """The additions to a section of the file."""
+def _section(text: str, events: Sequence[Any], name: str, additions: Mapping[str, Any], what: str) -> Edit | None:
+    """The addition to a section of the file; None if it has all already."""
     span = _pairs(events, 2).get(name)
     if span is None:
-        return [_at_the_end(text, events, {name: additions})]
+        column = events[3].start_mark.column if len(events) > 6 else 0
+        content = {name: additions}
+        return Edit(len(text.splitlines()), _indented(content, column), _end(events, 2) - 1, 0, _inner(content))
     value, after = span
     start = events[value]
     if isinstance(start, yaml.ScalarEvent) and not (start.value or start.style or start.anchor or start.tag):
-        return [_below(start, value, additions)]
+        mapping = [*untrusted.yaml_events(yaml_text.text(additions))][2:-2]
+        return Edit(start.end_mark.line + 1, _indented(additions, 2), value, 1, mapping)
     present = _pairs(events, value) if isinstance(start, yaml.MappingStartEvent) else {}
+    section = _value(untrusted.yaml_node(text), name)
     for key in [key for key in additions if key in present]:
-        if not _same(text, name, key, additions[key]):
+        if not _alike(_value(section, key), untrusted.yaml_node(yaml_text.text(additions[key]))):
             kind = name.removesuffix("s")
             remedy = "--name gives the service another name" if name == "services" else f"rename that {kind}"
             raise RosmlError(f"{what} has a {kind} {key} already, with other content", remedy, exit_code=2)
     missing = {key: value for key, value in additions.items() if key not in present}
     if not missing:
-        return []
+        return None
     if not isinstance(start, yaml.MappingStartEvent) or start.flow_style:
         raise RosmlError(f"{what}: {name} has no line for each key", BY_HAND, exit_code=2)
     if start.anchor:
         why = f"{what}: {name} has the anchor {start.anchor}, so the addition may be elsewhere as well"
         raise RosmlError(why, BY_HAND, exit_code=2)
-    return [_last(text, events, value, after, missing)]
-
-
-def _at_the_end(text: str, events: Sequence[Any], content: Mapping[str, Any]) -> Edit:
-    """An addition to the whole file."""
-    column = events[3].start_mark.column if len(events) > 6 else 0
-    inner = _inner(content)
-    end = _end(events, 2) - 1
-    return Edit(len(text.splitlines()), _indented(content, column), end, 0, inner)
-
-
-def _below(start: Any, value: int, content: Mapping[str, Any]) -> Edit:
-    """An addition to a section that is empty."""
-    return Edit(
-        start.end_mark.line + 1,
-        _indented(content, 2),
-        value,
-        1,
-        [*untrusted.yaml_events(yaml_text.text(content))][2:-2],
-    )
+    return _last(text, events, value, after, missing)
 
 
 def _last(text: str, events: Sequence[Any], start: int, after: int, content: Mapping[str, Any]) -> Edit:
@@ -225,20 +192,13 @@ def _indented(content: Mapping[str, Any], column: int) -> str:
     return "".join(f"{' ' * column}{line}" for line in yaml_text.text(content).splitlines(keepends=True))
 
 
-def _same(text: str, section: str, key: str, content: Any) -> bool:
-    """Whether a section has the same content by a name."""
-    top = untrusted.yaml_node(text)
-    node = _value(_value(top, section), key)
-    return node is not None and _alike(node, untrusted.yaml_node(yaml_text.text(content)))
-
-
 def _value(node: Any, key: str) -> Any:
     return next((value for name, value in node.value if name.value == key), None)
 
 
 def _alike(first: Any, second: Any) -> bool:
     """Whether two nodes mean the same; the order of keys does not count."""
-    if first.tag != second.tag:
+    if first is None or second is None or first.tag != second.tag:
         return False
     if isinstance(first, yaml.ScalarNode):
         return bool(first.value == second.value)
@@ -246,4 +206,4 @@ def _alike(first: Any, second: Any) -> bool:
         return False
     if isinstance(first, yaml.SequenceNode):
         return all(map(_alike, first.value, second.value))
-    return all((other := _value(second, key.value)) is not None and _alike(value, other) for key, value in first.value)
+    return all(_alike(value, _value(second, key.value)) for key, value in first.value)

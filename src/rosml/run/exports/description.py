@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 from rosml.base.errors import RosmlError
-from rosml.run import attach
+from rosml.run import attach, paths
 from rosml.run.context import Context, Engine, Image
 from rosml.run.plugins import basic_options, sockets
 from rosml.run.words import Line, TypedOption, split
@@ -66,9 +66,9 @@ def lasting(context: Context) -> Context:
     if line.asks("ssh-agent"):
         text = "--ssh-agent does not go with --export: the agent's socket has another path in each session"
         raise RosmlError(text, "leave it out; editors pass your agent themselves", exit_code=2)
-    windows = X11 if _has_windows(context) else ()
-    line_ = preceded(replace(line, rosml=(*line.rosml, "--no-name", "--no-x11")), *windows)
-    return replace(context, line=line_, person=replace(context.person, terminal=True, reads=True))
+    line = replace(line, rosml=(*line.rosml, "--no-name", "--no-x11"))
+    line = preceded(line, *(X11 if _has_windows(context) else ()))
+    return replace(context, line=line, person=replace(context.person, terminal=True, reads=True))
 
 
 def sessionless(context: Context, kind: str) -> Context:
@@ -109,14 +109,17 @@ def describe(context: Context, argv: Sequence[str], place: str = "") -> Call:
             word.encode()
         except UnicodeEncodeError:
             raise RosmlError(f"--export: {word!a} is no text", "write it in UTF-8", exit_code=2) from None
-    line = split(argv[2:], ())
-    options = [Option(SYNONYMS.get(name, name), value) for option in line.engine for name, value in _pairs(option)]
-    lasting_options = tuple(option for option in options if option.name not in OF_A_CALL)
-    folder = context.person.folder
-    person = replace(context.person, terminal=True)
-    typed_name = _typed_name(lasting_options)
-    name = typed_name or basic_options.name_of(Line((), (), line.image, ()), person) or "container"
-    return Call(name, lasting_options, line.image, line.command, folder, place or folder, context.engine, context.image)
+    line, person = split(argv[2:], ()), replace(context.person, terminal=True)
+    options = tuple(option for typed in line.engine for option in _options(typed) if option.name not in OF_A_CALL)
+    name = _typed_name(options) or basic_options.name_of(Line((), (), line.image, ()), person) or "container"
+    place = place or person.folder
+    return Call(name, options, line.image, line.command, person.folder, place, context.engine, context.image)
+
+
+def _options(typed: TypedOption) -> list[Option]:
+    """The options in a word, such as `-itv`; only the last one can have a value."""
+    *switches, last = (SYNONYMS.get(name, name) for name in typed.names)
+    return [*map(Option, switches), Option(last, typed.value)]
 
 
 def _typed_name(options: Sequence[Option]) -> str:
@@ -127,32 +130,19 @@ def _typed_name(options: Sequence[Option]) -> str:
         if option.name == "name":
             name = value
             if basic_options.as_name(value) != value or not value:
-                text, remedy = (
-                    f"--name {value!a} is no name of a container",
-                    "write letters, digits, and then also _ . -",
-                )
-                raise RosmlError(text, remedy, exit_code=2)
+                remedy = "write letters, digits, and then also _ . -"
+                raise RosmlError(f"--name {value!a} is no name of a container", remedy, exit_code=2)
         elif option.name in WITH_NAME and not value.partition("=")[0]:
             raise RosmlError(f"--{option.name} {value!a} has no name", f"write --{option.name} NAME=VALUE", exit_code=2)
     return name
 
 
-def _pairs(option: TypedOption) -> list[tuple[str, str | None]]:
-    """The options in a word, such as `-itv`, each with its value; only the last one can have a value."""
-    *switches, last = option.names
-    return [*((name, None) for name in switches), (last, option.value)]
-
-
 def fields(option: Option) -> list[tuple[str, str]]:
     """The fields of a value such as `type=bind,source=/a,target=/b`; a switch among them has an empty value."""
-    import csv  # few values have any
-
-    try:
-        (row,) = csv.reader([option.value or ""], strict=True)
-    except (csv.Error, ValueError):
-        raise RosmlError(
-            f"--{option.name}={option.value}: its quotes do not close", 'write one " at each end', exit_code=2
-        ) from None
+    row = paths.fields(option.value or "")
+    if row is None:
+        text = f"--{option.name}={option.value}: its quotes do not close"
+        raise RosmlError(text, 'write one " at each end', exit_code=2)
     return [(FIELD_SYNONYMS.get(key, key), value) for key, _, value in (field.partition("=") for field in row)]
 
 
@@ -199,12 +189,9 @@ def gpus(option: Option) -> Gpus:
             remedy = f"leave out {name}: write all, a number, or device= with ids"
             raise RosmlError(f"{name} of --gpus has no counterpart in such a file", remedy, exit_code=2)
         if name in values:
-            text = f"--gpus {option.value} says {name} twice"
-            raise RosmlError(text, CERTAIN, exit_code=2)
+            raise RosmlError(f"--gpus {option.value} says {name} twice", CERTAIN, exit_code=2)
         values[name] = value
-    ids = tuple(filter(None, values.get("device", "").split(",")))
+    ids, capabilities = (tuple(filter(None, values.get(name, "").split(","))) for name in ("device", "capabilities"))
     if ids and "count" in values:
-        text = f"--gpus {option.value} says both how many and which"
-        raise RosmlError(text, CERTAIN, exit_code=2)
-    count = values.get("count", "" if ids else "1")
-    return Gpus(count, ids, values.get("driver", ""), tuple(filter(None, values.get("capabilities", "").split(","))))
+        raise RosmlError(f"--gpus {option.value} says both how many and which", CERTAIN, exit_code=2)
+    return Gpus(values.get("count", "" if ids else "1"), ids, values.get("driver", ""), capabilities)

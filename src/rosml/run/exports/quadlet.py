@@ -60,6 +60,8 @@ PLAIN = re.compile(r"[A-Za-z0-9_/.@+][A-Za-z0-9_/.@:+=,-]*")
 PORT = re.compile(r"(?:(?:[0-9]{1,3}(?:\.[0-9]{1,3}){3}:)?[0-9]{1,5}:)?[0-9]{1,5}(?:/(?:tcp|udp))?")
 VARIABLE = re.compile("[A-Za-z_][A-Za-z0-9_.-]*")
 ESCAPES = {'"': r"\"", "\\": r"\\", "\n": r"\n", "\r": r"\r", "\t": r"\t", "%": "%%", "$": "$$"}
+ESCAPED = str.maketrans({**{code: f"\\x{code:02x}" for code in (*range(32), 127)}, **str.maketrans(ESCAPES)})
+
 START_TIMEOUT = 900
 """Seconds for a start: the first one pulls the image. systemd's default is 90."""
 
@@ -108,10 +110,7 @@ def text(call: Call) -> str:
         *([f"Exec={' '.join(map(_argument, call.command))}"] if call.command else []),
         "",
         "[Service]",
-        f"Restart={_restart((call.values('restart') or ['always'])[-1])}",
-        f"RestartSec={RESTART_DELAY}",
-        f"TimeoutStartSec={START_TIMEOUT}",
-        *_patience(call),
+        *_policy(call),
         "",
         "[Install]",
         f"WantedBy={'default' if rootless else 'multi-user'}.target",
@@ -144,7 +143,7 @@ def _lines(option: Option, call: Call) -> Iterator[str]:
         option = replace(option, value=anchored.value)
     value = option.value or ""
     if name == "gpus":
-        yield from (f"AddDevice=nvidia.com/gpu={_plain_id(gpu_id)}" for gpu_id in _gpu_ids(option))
+        yield from (f"AddDevice=nvidia.com/gpu={gpu_id}" for gpu_id in _gpu_ids(option))
     elif name in QUOTED_KEYS and ("=" in value or name != "env"):
         yield f"{QUOTED_KEYS[name]}={_quoted(value if '=' in value else f'{value}=')}"
     elif name == "env":
@@ -178,40 +177,29 @@ def _gpu_ids(option: Option) -> Sequence[str]:
     if requested.driver not in ("", "nvidia") or requested.capabilities:
         text = f"--gpus {option.value} does not go with --export {KIND}: podman hands in whole GPUs of NVIDIA's"
         raise RosmlError(text, "write all, a number, or device= with ids", exit_code=2)
-    if requested.ids:
-        return requested.ids
-    if requested.count in ("all", "-1"):
-        return ["all"]
+    if odd := [gpu_id for gpu_id in requested.ids if not PLAIN.fullmatch(gpu_id)]:
+        raise RosmlError(f"--gpus: {odd[0]!a} is no id of a GPU", "nvidia-smi -L lists them", exit_code=2)
+    if requested.ids or requested.count in ("all", "-1"):
+        return requested.ids or ["all"]
     count = int(requested.count) if COUNT.fullmatch(requested.count) else 0
     if not 0 < count <= 64:
         raise RosmlError(f"--gpus {option.value} asks for no GPU", "leave out --gpus, or write all", exit_code=2)
     return [*map(str, range(count))]
 
 
-def _plain_id(gpu_id: str) -> str:
-    if not PLAIN.fullmatch(gpu_id):
-        raise RosmlError(f"--gpus: {gpu_id!a} is no id of a GPU", "nvidia-smi -L lists them", exit_code=2)
-    return gpu_id
-
-
-def _restart(policy: str) -> str:
-    """systemd's word for --restart."""
+def _policy(call: Call) -> Iterator[str]:
+    """When systemd starts it again, and how long it waits for a start and a stop."""
+    policy, timeout = (call.values("restart") or ["always"])[-1], (call.values("stop-timeout") or [""])[-1]
     if policy not in RESTARTS:
         text = f"--restart {policy} does not go with --export {KIND}: systemd has no such rule"
         raise RosmlError(text, f"write one of {', '.join(RESTARTS)}", exit_code=2)
-    return RESTARTS[policy]
-
-
-def _patience(call: Call) -> list[str]:
-    """How long systemd waits for a stop, if the container may take longer than systemd's default."""
-    timeout = (call.values("stop-timeout") or [""])[-1]
+    yield f"Restart={RESTARTS[policy]}"
+    yield f"RestartSec={RESTART_DELAY}"
+    yield f"TimeoutStartSec={START_TIMEOUT}"
     if timeout == "-1":
-        return ["TimeoutStopSec=infinity"]
-    return (
-        [f"TimeoutStopSec={int(timeout) + STOP_TIMEOUT}"]
-        if COUNT.fullmatch(timeout) and int(timeout) > STOP_TIMEOUT
-        else []
-    )
+        yield "TimeoutStopSec=infinity"
+    elif COUNT.fullmatch(timeout) and int(timeout) > STOP_TIMEOUT:
+        yield f"TimeoutStopSec={int(timeout) + STOP_TIMEOUT}"
 
 
 def _image(name: str) -> str:
@@ -234,12 +222,7 @@ def _quoted(word: str) -> str:
     if odd := next(filter(is_lost, word), ""):
         text = f"the character U+{ord(odd):04X} in {word[:40]!a} does not go with --export {KIND}: systemd changes it"
         raise RosmlError(text, "put it into a file that the command reads", exit_code=2)
-    return f'"{"".join(map(_escaped, word))}"'
-
-
-def _escaped(character: str) -> str:
-    code = ord(character)
-    return ESCAPES.get(character) or (f"\\x{code:02x}" if code < 32 or code == 127 else character)
+    return f'"{word.translate(ESCAPED)}"'
 
 
 def is_lost(character: str) -> bool:
