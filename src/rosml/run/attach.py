@@ -65,23 +65,21 @@ def of_folder(containers: Sequence[Container], folder: str, command: str) -> Con
     """The container of a folder: the running one, or else the only one, of all that `rosml run` started. `command` is the call, for
     the message."""
     here = [container for container in containers if container.labels.get(FOLDER_LABEL) == folder]
-    running = [container for container in here if container.state == "running"]
-    candidates = running or here
+    candidates = [container for container in here if container.state == "running"] or here
     if len(candidates) == 1:
         return candidates[0]
     if candidates:
-        names = ", ".join(_shown(candidates))
-        first = sorted(container.name for container in candidates)[0]
-        raise RosmlError(f"{len(candidates)} containers of this folder: {names}", f"rosml attach {first}", exit_code=2)
+        first = min(container.name for container in candidates)
+        text = f"{len(candidates)} containers of this folder: {_shown(candidates)}"
+        raise RosmlError(text, f"rosml attach {first}", exit_code=2)
     others = _shown(container for container in containers if container.state == "running")
-    elsewhere = f"; rosml attach NAME enters one of other folders: {', '.join(others)}" if others else ""
-    raise NoContainer(
-        f"{command}: no container was started in this folder", f"rosml run IMAGE starts one{elsewhere}", exit_code=2
-    )
+    elsewhere = f"; rosml attach NAME enters one of other folders: {others}" if others else ""
+    text = f"{command}: no container was started in this folder"
+    raise NoContainer(text, f"rosml run IMAGE starts one{elsewhere}", exit_code=2)
 
 
-def _shown(containers: Iterable[Container]) -> list[str]:
-    return sorted(f"{x.name} ({x.image}, {x.state})" for x in containers)
+def _shown(containers: Iterable[Container]) -> str:
+    return ", ".join(sorted(f"{x.name} ({x.image}, {x.state})" for x in containers))
 
 
 def check_same(program: str, line: Line, person: Person, container: Container, image: Image | None) -> None:
@@ -124,10 +122,9 @@ def lacking(line: Line, container: Container) -> tuple[str, str] | None:
 
 def check_state(program: str, container: Container) -> None:
     """Checks that a container can be entered, or started first."""
-    if container.state != "running" and container.state not in IDLE:
-        remedies = {"paused": f"{program} unpause {container.name}"}
-        remedy = remedies.get(
-            container.state,
-            f"wait, or {program} rm --force {container.name}, which removes it {container.loss(program)}",
-        )
-        raise RosmlError(f"{container.name} cannot be entered: it is {container.state}", remedy)
+    if container.state == "running" or container.state in IDLE:
+        return
+    remedy = f"wait, or {program} rm --force {container.name}, which removes it {container.loss(program)}"
+    if container.state == "paused":
+        remedy = f"{program} unpause {container.name}"
+    raise RosmlError(f"{container.name} cannot be entered: it is {container.state}", remedy)

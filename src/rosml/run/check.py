@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from rosml.run.context import Context
@@ -67,9 +68,8 @@ def network(context: Context, place: Place) -> Finding:
         if engine.machine == "docker-desktop":
             return Finding(what, PROBLEM, "that of Docker Desktop's virtual machine", "Docker Engine, on Linux")
         if not context.is_here:
-            return Finding(
-                what, ADVICE, f"that of {engine.machine}", f"rosml run --check on {engine.machine} says more"
-            )
+            remedy = f"rosml run --check on {engine.machine} says more"
+            return Finding(what, ADVICE, f"that of {engine.machine}", remedy)
         if engine.rootless and not engine.podman:
             text = "that of docker without root, and not this machine's"
             return Finding(what, PROBLEM, text, "docker with root, or podman: ROSML_ENGINE=podman")
@@ -110,7 +110,7 @@ def ros_2(context: Context, place: Place, here: Place | None, installed: Sequenc
 def domain(place: Place, here: Place | None) -> Finding:
     """The domain: both sides need the same."""
     if not _is_domain(place.domain):
-        text = f"{place.domain[:20]!r}{'…' * (len(place.domain) > 20)}: no node starts"
+        text = f"{_short(place.domain)}: no node starts"
         return Finding("domain", PROBLEM, text, f"ROS_DOMAIN_ID is a number from 0 to {LARGEST_DOMAIN}")
     if here and here.domain != place.domain:
         remedy = f"-e ROS_DOMAIN_ID={here.domain}, or export ROS_DOMAIN_ID={place.domain}"
@@ -156,9 +156,8 @@ def discovery_range(context: Context, place: Place) -> Finding:
     local_only = place.environment.get("ROS_LOCALHOST_ONLY") == "1"
     change = "-e ROS_LOCALHOST_ONLY=0" if local_only else "-e ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET"
     if range_ not in RANGES:
-        return Finding(
-            what, PROBLEM, f"{range_!r} is none", f"ROS_AUTOMATIC_DISCOVERY_RANGE is one of {', '.join(RANGES)}"
-        )
+        remedy = f"ROS_AUTOMATIC_DISCOVERY_RANGE is one of {', '.join(RANGES)}"
+        return Finding(what, PROBLEM, f"{range_!r} is none", remedy)
     if range_ == "OFF":
         return Finding(what, PROBLEM, "OFF: no node finds another", change)
     if range_ != "LOCALHOST":
@@ -187,28 +186,26 @@ def owner(place: Place, here: Place | None) -> Iterator[Finding]:
     """The user whose processes may open the shared memory."""
     if place.ipc != HOST or place.network != HOST or not place.uid:
         return
-    if here and here.uid != place.uid:
-        remedy = f"--user {here.uid}, or leave out --no-user; or without shared memory: {places.WITHOUT_SHARED_MEMORY}"
-        yield Finding(
-            "user", PROBLEM, f"{place.uid}, and {here.uid} here: not both can open each other's memory", remedy
-        )
+    if not here or here.uid == place.uid:
+        yield Finding("user", GOOD, place.uid)
         return
-    yield Finding("user", GOOD, place.uid)
+    remedy = f"--user {here.uid}, or leave out --no-user; or without shared memory: {places.WITHOUT_SHARED_MEMORY}"
+    text = f"{place.uid}, and {here.uid} here: not both can open each other's memory"
+    yield Finding("user", PROBLEM, text, remedy)
 
 
 def size(context: Context, place: Place) -> Finding:
     """The size of the shared memory."""
-    what = places.SHM
+    what, remedy = places.SHM, "--shm-size 1g"
     if (place.ipc == HOST and not context.is_here) or place.ipc.startswith("container:"):
         return Finding(what, GOOD, f"that of {context.engine.machine if place.ipc == HOST else place.ipc}")
     if place.ipc == HOST:
-        bytes_, remedy = _room(context), f"sudo mount -o remount,size=1g {places.SHM}"
-    else:
-        bytes_, remedy = _bytes(typed := context.line.value("shm-size")), "--shm-size 1g"
-        if bytes_ < 0:
-            return Finding(
-                what, PROBLEM, f"{typed[:20]!r}{'…' * (len(typed) > 20)} is no size: no container starts", remedy
-            )
+        remedy, bytes_ = f"sudo mount -o remount,size=1g {places.SHM}", 0
+        with suppress(OSError):
+            status = os.statvfs(context.host.path(places.SHM))
+            bytes_ = status.f_frsize * status.f_blocks
+    elif (bytes_ := _bytes(typed := context.line.value("shm-size"))) < 0:
+        return Finding(what, PROBLEM, f"{_short(typed)} is no size: no container starts", remedy)
     if not bytes_:
         return Finding(what, GOOD, "of unknown size")
     text = f"{bytes_ // MIB} MiB"
@@ -217,12 +214,8 @@ def size(context: Context, place: Place) -> Finding:
     return Finding(what, ADVICE, f"{text}: images and point clouds fill it, and so do PyTorch's workers", remedy)
 
 
-def _room(context: Context) -> int:
-    try:
-        status = os.statvfs(context.host.path(places.SHM))
-    except OSError:
-        return 0
-    return status.f_frsize * status.f_blocks
+def _short(text: str) -> str:
+    return f"{text[:20]!r}{'…' * (len(text) > 20)}"
 
 
 def _bytes(text: str) -> int:
@@ -324,9 +317,8 @@ def other(place: Place, running: Place) -> Finding:
     """Whether the container and another running one reach each other."""
     what = f"container {running.name}"
     if running.version != place.version:
-        return Finding(
-            what, ADVICE, f"it has ROS {running.version}", "only a bridge between ROS 1 and ROS 2 connects them"
-        )
+        remedy = "only a bridge between ROS 1 and ROS 2 connects them"
+        return Finding(what, ADVICE, f"it has ROS {running.version}", remedy)
     apart = [*_apart(place, running)]
     if apart:
         texts, remedies = zip(*apart, strict=True)
@@ -357,7 +349,5 @@ def _apart(place: Place, running: Place) -> Iterator[tuple[str, str]]:
             remedy = f"{option or f'start it with {WHOLE}'}; or without shared memory: {places.WITHOUT_SHARED_MEMORY}"
             yield "it does not have the same shared memory", remedy
         elif place.uid and running.uid and place.uid != running.uid:
-            yield (
-                f"its user is {running.uid}",
-                f"--user {running.uid}; or without shared memory: {places.WITHOUT_SHARED_MEMORY}",
-            )
+            remedy = f"--user {running.uid}; or without shared memory: {places.WITHOUT_SHARED_MEMORY}"
+            yield f"its user is {running.uid}", remedy

@@ -38,6 +38,10 @@ class Engine:
     snap: bool = False
     passwd: bool = True
 
+    def is_on(self, host: Host) -> bool:
+        """Whether it runs containers on a machine. Docker Desktop has its own machine; on Windows it shares WSL's files."""
+        return self.machine in ("", host.name) or (self.machine == "docker-desktop" and host.has("/dev/dxg"))
+
 
 @dataclass(frozen=True)
 class Person:
@@ -212,9 +216,4 @@ class Context:
     @property
     def is_here(self) -> bool:
         """Whether containers run on this machine and can have its devices and sockets."""
-        return is_here(self.engine, self.host)
-
-
-def is_here(engine: Engine, host: Host) -> bool:
-    """Whether an engine runs containers on this machine. Docker Desktop has its own machine; on Windows it shares WSL's files."""
-    return engine.machine in ("", host.name) or (engine.machine == "docker-desktop" and host.has("/dev/dxg"))
+        return self.engine.is_on(self.host)

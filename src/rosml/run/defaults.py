@@ -68,11 +68,14 @@ class Files:
     def counting(self, typed: Line) -> list[tuple[str, Line]]:
         """The files, each with the part that counts: one image, with the command of its own file or of one above that names no
         image, and the options that nothing above replaces."""
-        from rosml.run.repeated_options import without  # most folders have no file
+        files = [file for file in (self.project, self.person) if file]
+        if not files:
+            return []  # most folders have no file, and need no import
+        from rosml.run.repeated_options import without
 
         parts: list[tuple[str, Line]] = []
         above, needs_image, needs_command = typed.engine, typed.image in ("", HERE), not typed.command
-        for file in filter(None, (self.project, self.person)):
+        for file in files:
             line = file.line
             options = [option for option in line.engine if not (typed.asks("new") and "name" in option.names)]
             engine = tuple(rest for option in options if (rest := without(option, above)))

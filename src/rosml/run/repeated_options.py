@@ -13,10 +13,8 @@ def without(option: TypedOption, later: Iterable[TypedOption]) -> TypedOption | 
     thing = _thing(option)
     if not thing[0] or thing not in {_thing(other) for other in later}:
         return option
-    *others, _ = option.names
-    return (
-        TypedOption((option.words[0][: len(option.names)],), tuple(others)) if others else None
-    )  # `-it` of `-itv a:/b`
+    *others, _ = option.names  # `-it` of `-itv a:/b`
+    return TypedOption((option.words[0][: len(option.names)],), tuple(others)) if others else None
 
 
 def _thing(option: TypedOption) -> tuple[str, str]:

@@ -41,17 +41,14 @@ def for_another_machine(context: Context) -> str:
 
 
 def _tagged(context: Context, drivers: Mapping[str, str], stack: str) -> str:
-    """The image for a stack; empty if there is none, or if the typed image is for that stack or is named in full."""
-    own_stack = context.image.labels.get(STACK, "")
-    image, tag = _split(context.line.image)
-    is_full_name = any(tag.endswith(f"-{name}") for name in drivers) or _DATED.search(
-        tag
-    )  # nothing has that name and a stack
-    return (
-        ""
-        if own_stack not in drivers or not tag or is_full_name or stack in ("", own_stack)
-        else f"{image}:{tag}-{stack}"
-    )
+    """The image for a stack; empty if there is none, or if the typed image is for that stack, or is named in full: by a digest,
+    a stack or a date."""
+    own_stack, image = context.image.labels.get(STACK, ""), context.line.image
+    name, _, tag = image.rpartition(":")
+    if not name or "/" in tag:
+        name, tag = image, "latest"
+    is_full = "@" in image or _DATED.search(tag) or any(tag.endswith(f"-{other}") for other in drivers)
+    return "" if own_stack not in drivers or not tag or is_full or stack in ("", own_stack) else f"{name}:{tag}-{stack}"
 
 
 def _drivers(context: Context) -> dict[str, str]:
@@ -65,27 +62,12 @@ def _drivers(context: Context) -> dict[str, str]:
 def _best_stack(context: Context, drivers: dict[str, str]) -> str:
     """The stack with the newest CUDA that the driver can run; without a GPU, one that needs none. Empty if none fits."""
     host, line = context.host, context.line
-    driver_version = gpu.numbers(gpu.driver(host)) if gpu.is_nvidia(host) and not line.asks("no-gpu") else ()
-    can_hand_in = line.has("gpus", "runtime") or bool(gpu.handed_in(context.engine, host))
-    if gpu.is_nvidia(host) and not driver_version and not line.asks("no-gpu"):
+    has_gpu = gpu.is_nvidia(host) and not line.asks("no-gpu")
+    version = gpu.numbers(gpu.driver(host)) if has_gpu else ()
+    if has_gpu and not version:
         return ""  # a Jetson, whose driver has another name
-    fitting = {
-        name: driver
-        for name, driver in drivers.items()
-        if driver and can_hand_in and gpu.numbers(driver) <= driver_version
-    }
-    if driver_version and fitting:
-        return max(fitting, key=lambda name: (gpu.numbers(fitting[name]), _digits(name)))
+    can_hand_in = line.has("gpus", "runtime") or bool(gpu.handed_in(context.engine, host))
+    fitting = [name for name, driver in drivers.items() if driver and can_hand_in and gpu.numbers(driver) <= version]
+    if fitting:
+        return max(fitting, key=lambda name: (gpu.numbers(drivers[name]), int("".join(re.findall("[0-9]", name)) or 0)))
     return next((name for name, driver in drivers.items() if not driver), "")
-
-
-def _digits(name: str) -> int:
-    return int("".join(character for character in name if character in "0123456789") or 0)
-
-
-def _split(image: str) -> tuple[str, str]:
-    """The name and the tag of an image; no tag if it is named by its digest."""
-    name, _, tag = image.rpartition(":")
-    if "@" in image:
-        return image, ""
-    return (name, tag) if name and "/" not in tag else (image, "latest")

@@ -64,10 +64,8 @@ class TypedOption:
 
     def with_value(self, value: str) -> TypedOption:
         """The same with another value, written in the same way."""
-        if self.value is None:
-            return self
-        last = self.words[-1]
-        return TypedOption((*self.words[:-1], last[: len(last) - len(self.value)] + value), self.names, value)
+        *words, last = self.words
+        return TypedOption((*words, last.removesuffix(self.value or "") + value), self.names, value)
 
 
 @dataclass(frozen=True)
@@ -102,7 +100,7 @@ class Line:
         """The values of options of the engine, in their order."""
         return [option.value or "" for option in self.engine if option.names[-1] in names]
 
-    def late(self, rosml_options: Collection[str] = ()) -> bool:
+    def late(self, rosml_options: Collection[str]) -> bool:
         """Whether an option of the engines, or one of rosml's own, stands after the image, and is the command therefore."""
         first = next(iter(self.command), "")
         name = first.partition("=")[0]
@@ -241,3 +239,8 @@ def _value(option: str, rest: Iterator[str]) -> str:
     if value is None:
         raise RosmlError(f"the option {option} lacks its value", "write the value after it", exit_code=2)
     return value
+
+
+def variables(values: Mapping[str, object]) -> list[str]:
+    """The words for environment variables."""
+    return [word for name, value in values.items() for word in ("-e", f"{name}={value}")]

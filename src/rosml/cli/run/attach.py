@@ -19,7 +19,7 @@ from rosml.run import words
     context_settings=container.SETTINGS,
     options_metavar="[OPTIONS]",
 )
-@click.option("--no-it", is_flag=True, expose_value=False, help="neither a terminal nor standard input")
+@container.flag("--no-it", "neither a terminal nor standard input")
 @container.showing
 @click.argument("name", required=False, expose_value=False)
 @click.argument("command", nargs=-1, type=click.UNPROCESSED, expose_value=False)

@@ -55,16 +55,16 @@ class Words(Command):
         return [*line.rosml, *([line.image, *line.command] if line.image else [])]
 
 
+def flag(name: str, text: str) -> Callable[[Callable[..., None]], Callable[..., None]]:
+    """A switch that is read from the line of words."""
+    return click.option(name, is_flag=True, expose_value=False, help=text)
+
+
 def showing(main: Callable[..., None]) -> Callable[..., None]:
     """Adds the options that show what would run."""
-    options = {
-        "--verbose": "print the engine's command on standard error, then run it",
-        "--dry-run": "print the engine's command, and run nothing",
-        "--json": "print its words as JSON, and run nothing",
-    }
-    for name, text in reversed(options.items()):
-        main = click.option(name, is_flag=True, expose_value=False, help=text)(main)
-    return main
+    main = flag("--json", "print its words as JSON, and run nothing")(main)
+    main = flag("--dry-run", "print the engine's command, and run nothing")(main)
+    return flag("--verbose", "print the engine's command on standard error, then run it")(main)
 
 
 SHOW = ("--dry-run", "--json", "--check", "--export")
@@ -142,12 +142,11 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
         terminal.echo(f"{container.name} is {container.state}: {program} start {container.name} comes first", err=True)
 
     def begin() -> None:
-        from rosml.run.context import is_here
         from rosml.run.host import host, write
         from rosml.run.plugins import sockets
 
         machine = host(os.environ)
-        here = is_here(engine.about(program), machine)
+        here = engine.about(program).is_on(machine)
         for file, content in sockets.files_again(machine, caller, container).items() if here else ():
             with contextlib.suppress(OSError):  # the engine then says what is missing
                 write(machine.path(file), content)

@@ -55,20 +55,11 @@ class Run(container.Words):
     context_settings=container.SETTINGS,
     options_metavar="[OPTIONS OF ROSML, DOCKER OR PODMAN]",
 )
-@click.option(
-    "--new", is_flag=True, expose_value=False, help="start another container although one runs; the engine names it"
-)
-@click.option("--no-defaults", is_flag=True, expose_value=False, help="read neither .rosml.toml nor your own run.toml")
-@click.option(
-    f"--{trust.OPTION}",
-    is_flag=True,
-    expose_value=False,
-    help="from now on, let images of this repository start as root, to make your user",
-)
+@container.flag("--new", "start another container although one runs; the engine names it")
+@container.flag("--no-defaults", "read neither .rosml.toml nor your own run.toml")
+@container.flag(f"--{trust.OPTION}", "from now on, let images of this repository start as root, to make your user")
 @container.showing
-@click.option(
-    "--check", is_flag=True, expose_value=False, help="say what keeps ROS nodes apart from others, and start no command"
-)
+@container.flag("--check", "say what keeps ROS nodes apart from others, and start no command")
 @click.option(
     "--export",
     metavar="FORMAT",

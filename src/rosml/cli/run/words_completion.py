@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
+from contextlib import suppress
 
 import click
 from click.shell_completion import CompletionItem
@@ -16,53 +17,34 @@ ENTERS = "attach"
 
 
 def items(command: click.Command, args: Sequence[str], incomplete: str) -> list[CompletionItem[str]]:
-    """The completions of the last word after `args`; none if the words before it are wrong."""
-    context = click.Context(command)
+    """The completions of the last word after `args`; none if the words before it are wrong. The shell itself looks for files."""
+    context, enters = click.Context(command), command.name == ENTERS
     options = {x.opts[0]: x for x in command.get_params(context) if isinstance(x, click.Option)}
     with_value = {name: option for name, option in options.items() if not option.is_flag}
+    files = [CompletionItem(incomplete, type="file")]
     try:
         line = words.split(args, options, with_value)
     except RosmlError:
         if option := with_value.get(args[-1]):
             return option.shell_complete(context, incomplete)
-        return _value(_waiting(args, options), incomplete)
+        with suppress(RosmlError):  # an option of the engine waits for its value
+            return files if words.split([*args, "value"], options).engine[-1].names[-1] in FILES else []
+        return []
     if line.image:
-        return _file(incomplete)
+        return files
     if incomplete.startswith("--") and "=" in incomplete:
         name, _, value = incomplete.partition("=")
         if option := with_value.get(name):
             return [CompletionItem(f"{name}={x.value}") for x in option.shell_complete(context, value)]
-        return _value(name.removeprefix("--"), value)
+        return [CompletionItem(value, type="file")] if name.removeprefix("--") in FILES else []
     if incomplete.startswith("-"):
-        engine_names = attach.PASSED if command.name == ENTERS else words.table().names
-        helps = {name: option.help for name, option in options.items()} | {
-            f"--{name}": None for name in sorted(engine_names)
-        }
+        engine_options = attach.PASSED if enters else words.table().names
+        helps = {**{name: option.help for name, option in options.items()}}
+        helps |= {f"--{name}": None for name in sorted(engine_options)}
         return [CompletionItem(name, help=text) for name, text in helps.items() if name.startswith(incomplete)]
-    return [CompletionItem(name) for name in _engine_names(command.name == ENTERS) if name.startswith(incomplete)]
-
-
-def _waiting(args: Sequence[str], options: Collection[str]) -> str:
-    """The option of the engine that waits for its value; empty if none does."""
-    try:
-        return words.split([*args, "value"], options).engine[-1].names[-1]
-    except RosmlError:
-        return ""
-
-
-def _value(name: str, incomplete: str) -> list[CompletionItem[str]]:
-    return _file(incomplete) if name in FILES else []
-
-
-def _file(incomplete: str) -> list[CompletionItem[str]]:
-    """Lets the shell look for files."""
-    return [CompletionItem(incomplete, type="file")]
-
-
-def _engine_names(containers: bool) -> list[str]:
-    """The engine's containers or images; none if there is no engine, or it takes long."""
     try:
         program = engine.program(os.environ)
     except RosmlError:
         return []
-    return sorted(engine.container_names(program) if containers else engine.image_names(program))
+    names = engine.container_names(program) if enters else engine.image_names(program)
+    return [CompletionItem(name) for name in sorted(names) if name.startswith(incomplete)]

@@ -22,6 +22,8 @@ SAME_NAMES = (
     *("security-opt", "shm-size", "stop-signal", "storage-opt", "tty", "use-api-socket"),
 )
 
+HEALTH = ("interval", "retries", "start_interval", "start_period", "timeout")
+
 NAMES = {
     **{name: name.replace("-", "_") for name in SAME_NAMES},
     "add-host": "extra_hosts",
@@ -32,12 +34,8 @@ NAMES = {
     "device-cgroup-rule": "device_cgroup_rules",
     "entrypoint": "entrypoint",
     "env": "environment",
+    **{f"health-{name.replace('_', '-')}": f"healthcheck.{name}" for name in HEALTH},
     "health-cmd": "healthcheck.test",
-    "health-interval": "healthcheck.interval",
-    "health-retries": "healthcheck.retries",
-    "health-start-interval": "healthcheck.start_interval",
-    "health-start-period": "healthcheck.start_period",
-    "health-timeout": "healthcheck.timeout",
     "interactive": "stdin_open",
     "label": "labels",
     "link": "external_links",

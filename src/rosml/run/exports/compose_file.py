@@ -90,8 +90,12 @@ def _events(text: str, what: str) -> list[Any]:
         events = [*untrusted.yaml_events(text)]
         untrusted.yaml_node(text)
     except yaml.YAMLError as error:
-        mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", "")
-        why = f"line {mark.line + 1}: {problem}" if mark else "it has a character that YAML does not allow"
+        mark: Any = getattr(error, "problem_mark", None)
+        why = (
+            f"line {mark.line + 1}: {getattr(error, 'problem', '')}"
+            if mark
+            else "it has a character that YAML does not allow"
+        )
         raise RosmlError(f"{what} is no YAML: {why}", "correct it", exit_code=2) from None
     starts = [event for event in events if isinstance(event, yaml.DocumentStartEvent)]
     if not starts:
@@ -142,7 +146,7 @@ def _section(text: str, events: Sequence[Any], name: str, additions: Mapping[str
     start = events[value]
     if isinstance(start, yaml.ScalarEvent) and not (start.value or start.style or start.anchor or start.tag):
         mapping = [*untrusted.yaml_events(yaml_text.text(additions))][2:-2]
-        return Edit(start.end_mark.line + 1, _indented(additions, 2), value, 1, mapping)
+        return Edit(events[value].end_mark.line + 1, _indented(additions, 2), value, 1, mapping)
     present = _pairs(events, value) if isinstance(start, yaml.MappingStartEvent) else {}
     section = _value(untrusted.yaml_node(text), name)
     for key in [key for key in additions if key in present]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 from rosml.base.errors import RosmlError
 from rosml.run import attach, paths
@@ -52,8 +52,8 @@ class Call:
     command: tuple[str, ...]
     folder: str
     place: str
-    engine: Engine = field(default_factory=Engine)
-    about: Image = field(default_factory=Image)
+    engine: Engine
+    about: Image
 
     def values(self, name: str) -> list[str]:
         """The values of an option, in their order."""

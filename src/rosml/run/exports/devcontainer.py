@@ -13,7 +13,7 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.run.context import Context
 from rosml.run.exports.description import Call, Option, fields, file, placed, preceded, volume
-from rosml.run.paths import FILES, joined
+from rosml.run.paths import FILES, bind, joined
 from rosml.run.plugins.basic_options import FOLDER_LABEL
 from rosml.run.plugins.user import VARIABLE
 
@@ -53,10 +53,7 @@ def text(call: Call) -> str:
     document: dict[str, Any] = {"name": call.name, "image": call.image}
     if workspace:
         target = _target(workspace, call)
-        document |= {
-            "workspaceMount": joined(["type=bind", f"source={FOLDER}", f"target={target}"]),
-            "workspaceFolder": target,
-        }
+        document |= {"workspaceMount": bind(FOLDER, target), "workspaceFolder": target}
     if user:
         document["containerUser"] = "root" if user == "0:0" else user
     document |= {

@@ -13,7 +13,7 @@ from rosml.base.errors import RosmlError
 from rosml.run import paths
 from rosml.run.context import Context, Person
 from rosml.run.plugins.user import claims
-from rosml.run.words import Line
+from rosml.run.words import Line, variables
 
 TARGET = "src/target"
 COMPONENT_LABEL = "io.rosml.component"
@@ -82,9 +82,7 @@ def timezone(context: Context) -> Sequence[str]:
 
 
 def locale(context: Context) -> Sequence[str]:
-    if not context.line.asks("loc"):
-        return []
-    return [word for key, value in context.person.locale.items() for word in ("-e", f"{key}={value}")]
+    return variables(context.person.locale) if context.line.asks("loc") else []
 
 
 def mounts(context: Context) -> Sequence[str]:

@@ -81,28 +81,22 @@ def lacking(engine: Engine) -> tuple[str, str]:
 
 
 def _check_driver(context: Context) -> None:
-    needed_driver = context.image.labels.get(DRIVER, "")
-    machine_driver = driver(context.host)
-    if (
-        not numbers(machine_driver)
-        or context.line.sets("NVIDIA_DISABLE_REQUIRE")
-        or numbers(machine_driver) >= numbers(needed_driver)
-    ):
-        return
-    text = f"{context.line.image} needs NVIDIA's driver {needed_driver} or newer, and this machine has {machine_driver}"
-    raise RosmlError(text, "take an image with an older CUDA, or update the driver; --no-gpu computes on the CPU")
+    needed, present = context.image.labels.get(DRIVER, ""), driver(context.host)
+    if numbers(present) and numbers(present) < numbers(needed) and not context.line.sets("NVIDIA_DISABLE_REQUIRE"):
+        text = f"{context.line.image} needs NVIDIA's driver {needed} or newer, and this machine has {present}"
+        raise RosmlError(text, "take an image with an older CUDA, or update the driver; --no-gpu computes on the CPU")
 
 
 def _not_built_for(context: Context) -> Iterator[tuple[str, str]]:
     """A note for each library of the image that has no code for a GPU of this machine."""
-    capabilities = chips.capabilities(context.host)
+    image, capabilities = context.line.image, chips.capabilities(context.host)
     for label, value in context.image.labels.items():
-        built_label, targets = BUILT.fullmatch(label), value.split()
-        lacking = [f"sm_{major}{minor}" for major, minor in capabilities if not chips.covers(targets, (major, minor))]
-        if built_label and built_label[2] == context.host.architecture and lacking:
-            library, image = built_label[1], context.line.image
-            text = f"{library} in {image} was built for {' '.join(targets)}, and this machine has the GPU {listed(lacking)}"
-            yield text, f"take an image of another stack, or let {library} compute on the CPU"
+        library, targets = BUILT.fullmatch(label), value.split()
+        uncovered = [f"sm_{major}{minor}" for major, minor in capabilities if not chips.covers(targets, (major, minor))]
+        if library and library[2] == context.host.architecture and uncovered:
+            gpus = f"this machine has the GPU {listed(uncovered)}"
+            text = f"{library[1]} in {image} was built for {' '.join(targets)}, and {gpus}"
+            yield text, f"take an image of another stack, or let {library[1]} compute on the CPU"
 
 
 def driver(host: Host) -> str:
@@ -119,11 +113,8 @@ def numbers(version: str) -> tuple[int, ...]:
 
 def _rendering(context: Context) -> Sequence[str]:
     """The device files of Intel's and AMD's GPUs, with the groups that may open them."""
-    host, folder = context.host, "/dev/dri"
-    nodes = [file for file in host.files(folder) if re.search(r"/(card|renderD)\d+$", file)]
-    if not nodes:
-        return []
-    return ["--device", folder, *groups(context, nodes)]
+    nodes = [file for file in context.host.files("/dev/dri") if re.search(r"/(card|renderD)\d+$", file)]
+    return ["--device", "/dev/dri", *groups(context, nodes)] if nodes else []
 
 
 PLUGIN = Plugin("gpu", gpu, {"no-gpu": "no GPUs"})

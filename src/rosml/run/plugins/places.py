@@ -110,16 +110,10 @@ class Place:
     def shares_memory(self) -> bool:
         """Whether nodes hand data to others on the same network through shared memory. Fast DDS does, unless variables turn it
         off; we do not read its settings files."""
-        transports = self.environment.get("FASTDDS_BUILTIN_TRANSPORTS", "DEFAULT")
-        has_profile = any(
-            map(self.environment.get, ("FASTDDS_DEFAULT_PROFILES_FILE", "FASTRTPS_DEFAULT_PROFILES_FILE"))
-        )
-        return (
-            self.version == "2"
-            and self.middleware == "fastrtps"
-            and not has_profile
-            and not transports.startswith("UDP")
-        )
+        profiles = ("FASTDDS_DEFAULT_PROFILES_FILE", "FASTRTPS_DEFAULT_PROFILES_FILE")
+        if any(map(self.environment.get, profiles)) or self.version != "2" or self.middleware != "fastrtps":
+            return False
+        return not self.environment.get("FASTDDS_BUILTIN_TRANSPORTS", "DEFAULT").startswith("UDP")
 
     @property
     def joins_another(self) -> bool:
@@ -134,24 +128,27 @@ class Place:
 
 def planned(context: Context, argv: Sequence[str]) -> Place:
     """The container that an engine's command `docker run …` would start."""
-    line, engine = words.split(argv[2:], ()), context.engine
+    line, engine, labels = words.split(argv[2:], ()), context.engine, context.image.labels
     default_network = ALONE if engine.podman and engine.rootless else "bridge"
-    network = (line.values("network", "net") or [default_network])[-1]
-    mounted = any(SHM in mount for mount in line.values("volume", "mount"))
+    network = _network_name((line.values("network", "net") or [default_network])[-1])
     environment = {**context.image.environment, **_variables(context, line)}
     user = environment.get("DOCKER_UID") or line.value("user").partition(":")[0]
-    uid = "" if engine.rootless else _number(user or ("0" if "DOCKER_UID" in environment else ""))
-    ipc = HOST if mounted else line.value("ipc") or ALONE
-    return Place(
-        "the container", environment, _network_name(network), ipc, uid, context.image.labels.get(RMW_LABEL, "")
-    )
+    uid = _uid(user or ("0" if "DOCKER_UID" in environment else ""), engine.rootless)
+    mounts_memory = any(SHM in mount for mount in line.values("volume", "mount"))
+    ipc = HOST if mounts_memory else line.value("ipc") or ALONE
+    return Place("the container", environment, network, ipc, uid, labels.get(RMW_LABEL, ""))
 
 
 def running(container: Container, rootless: bool) -> Place:
     ipc = HOST if SHM in container.mounts else container.ipc
     user = container.environment.get("DOCKER_UID") or container.user.partition(":")[0] or "0"
-    uid, default = "" if rootless else _number(user), container.labels.get(RMW_LABEL, "")
-    return Place(container.name, container.environment, _network_name(container.network), ipc, uid, default)
+    network, default = _network_name(container.network), container.labels.get(RMW_LABEL, "")
+    return Place(container.name, container.environment, network, ipc, _uid(user, rootless), default)
+
+
+def _uid(user: str, rootless: bool) -> str:
+    """A user's id; empty for a name or without root's rights, which mean another user outside."""
+    return user if user.isdecimal() and not rootless else ""
 
 
 def machine(context: Context) -> Place | None:
@@ -162,11 +159,6 @@ def machine(context: Context) -> Place | None:
         return None
     distribution = {"ROS_DISTRO": installed[-1]} if installed else {}
     return Place("this machine", {**distribution, **host.environment}, uid=str(context.person.uid))
-
-
-def _number(user: str) -> str:
-    """A user's id; empty for a name, which means another user outside."""
-    return user if user.isdecimal() else ""
 
 
 def _network_name(network: str) -> str:

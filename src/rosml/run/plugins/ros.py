@@ -9,6 +9,7 @@ from rosml.run.context import Context
 from rosml.run.plugin import Added, Plugin
 from rosml.run.plugins import places
 from rosml.run.plugins.places import OWN_NETWORK, ROS_NETWORK, no_network
+from rosml.run.words import variables
 
 ANYWHERE = {"1": ("ROS_MASTER_URI",), "2": ("ROS_DOMAIN_ID", "ROS_STATIC_PEERS")}
 ON_THE_NETWORK = {
@@ -29,7 +30,7 @@ def ros(context: Context) -> Added:
     planned = places.planned(context, [context.engine.program, "run", *words, *typed, line.image])
     if not line.asks("no-ros"):
         words += _own_name(context, planned)
-        words += [word for name, value in _settings(context, planned).items() for word in ("-e", f"{name}={value}")]
+        words += variables(_settings(context, planned))
     if planned.shares_memory and planned.joins_another and not planned.has_their_memory:
         text = f"--network {planned.network} without its shared memory: nodes find each other, and no data arrives"
         return Added(words, notes=[(text, places.share(planned.network))])

@@ -11,6 +11,7 @@ from rosml.run.paths import bind
 from rosml.run.plugin import NOTHING, Added, Plugin
 from rosml.run.plugins import xauthority
 from rosml.run.plugins.places import OWN_NETWORK, ROS_NETWORK, no_network
+from rosml.run.words import variables
 
 MOUNT_FOLDER = "/run/rosml"
 COOKIE = f"{MOUNT_FOLDER}/xauth"
@@ -31,33 +32,27 @@ def mounted(source: str, target: str) -> list[str]:
     return ["--mount", bind(source, target)]
 
 
-def variables(**values: str) -> list[str]:
-    return [word for name, value in values.items() for word in ("-e", f"{name}={value}")]
-
-
-def _elsewhere(context: Context, option: str) -> Sequence[str]:
-    """No words: another machine, or a snap, gets no part of a session. It is an error if the user asks for it."""
+def _reaches(context: Context, option: str) -> bool:
+    """Whether the engine sees the sockets of the user's session: another machine or a snap does not. If the user asks for one of
+    them by an option, that is an error."""
+    engine = context.engine
+    if context.is_here and not engine.snap:
+        return True
+    if context.line.asks(option) and engine.snap:
+        raise RosmlError(f"--{option}: {SNAP}", f"leave out --{option}, or {OTHER}")
     if context.line.asks(option):
-        if context.engine.snap:
-            raise RosmlError(f"--{option}: {SNAP}", f"leave out --{option}, or {OTHER}")
-        text = f"--{option}: {context.engine.program} runs containers on {context.engine.machine}, and not here"
+        text = f"--{option}: {engine.program} runs containers on {engine.machine}, and not here"
         raise RosmlError(text, f"leave out --{option}, or call it there")
-    return []
-
-
-def _reaches(context: Context) -> bool:
-    """Whether the engine sees the sockets of the user's session."""
-    return context.is_here and not context.engine.snap
+    return False
 
 
 def windows(context: Context) -> Added:
     """The display that answers: X11's; Wayland's if there is no X11, or if the user asks for it."""
     line = context.line
     wants_x11 = not (line.asks("no-x11") or line.sets("DISPLAY"))
-    if not _reaches(context):
-        words = _elsewhere(context, "wayland")
+    if not _reaches(context, "wayland"):
         misses_x11 = wants_x11 and context.host.environment.get("DISPLAY") and context.is_here
-        return Added(words, notes=[(f"no windows: {SNAP}", f"{OTHER}; --no-x11 asks for none")] if misses_x11 else [])
+        return Added(notes=[(f"no windows: {SNAP}", f"{OTHER}; --no-x11 asks for none")] if misses_x11 else [])
     x11 = _x11(context) if wants_x11 else NOTHING
     if not line.asks("wayland") and (x11.words or not wants_x11 or line.sets("WAYLAND_DISPLAY")):
         return x11
@@ -79,7 +74,7 @@ def _x11(context: Context) -> Added:
     if machine in ("", "unix"):
         if not host.answers(socket):
             return NOTHING
-        words = [*mounted(socket, socket), *variables(DISPLAY=f":{number}")]
+        words = [*mounted(socket, socket), *variables({"DISPLAY": f":{number}"})]
     else:
         if not host.connects((machine, 6000 + int(number))):
             return NOTHING
@@ -87,8 +82,8 @@ def _x11(context: Context) -> Added:
         if local and (reason := no_network(context)):
             return Added(notes=[(f"no windows: DISPLAY={display} is ssh's, and {reason}", "--no-x11 asks for none")])
         chooses_network = context.line.has(*OWN_NETWORK) or context.line.asks(ROS_NETWORK)
-        words = [*(["--network", "host"] if local and not chooses_network else []), *variables(DISPLAY=display)]
-    words += variables(QT_X11_NO_MITSHM="1")  # the container shares no memory with the display
+        words = [*(["--network", "host"] if local and not chooses_network else []), *variables({"DISPLAY": display})]
+    words += variables({"QT_X11_NO_MITSHM": "1"})  # the container shares no memory with the display
     cookie = _cookie(host, machine, number)
     if not cookie:  # the display may admit every process of this uid
         return Added(words)
@@ -97,15 +92,15 @@ def _x11(context: Context) -> Added:
         remedy = "log in again, or name a folder of yours with XDG_RUNTIME_DIR; --no-x11 asks for none"
         return Added(notes=[("no windows: there is no place for the display's cookie", remedy)])
     file = f"{folder}/rosml/xauth-{number}"
-    words += ["--mount", f"{bind(file, COOKIE)},readonly", *variables(XAUTHORITY=COOKIE)]
+    words += ["--mount", f"{bind(file, COOKIE)},readonly", *variables({"XAUTHORITY": COOKIE})]
     return Added(words, {file: xauthority.written([cookie])})
 
 
 def _cookie(host: Host, machine: str, number: str) -> xauthority.Entry | None:
     """The user's cookie for a display, from the machine and the number of `DISPLAY`."""
     place = host.environment.get("XAUTHORITY") or f"{host.environment.get('HOME', '')}/.Xauthority"
-    remote = "" if machine in ("", "unix", *LOCALHOST) else machine
-    return xauthority.cookie(xauthority.read(host.content(place)), number, remote or host.name, host.name)
+    owner = host.name if machine in ("", "unix", *LOCALHOST) else machine
+    return xauthority.cookie(xauthority.read(host.content(place)), number, owner, host.name)
 
 
 def files_again(host: Host, person: Person, container: Container) -> Mapping[str, bytes]:
@@ -125,40 +120,39 @@ def _wayland(context: Context) -> list[str]:
     if not socket or not context.host.answers(socket):
         return []
     inside, socket_name = f"/run/user/{context.person.uid}", name.rpartition("/")[2]
-    toolkits = variables(QT_QPA_PLATFORM="wayland;xcb", GDK_BACKEND="wayland,x11")
-    session = variables(XDG_RUNTIME_DIR=inside, WAYLAND_DISPLAY=socket_name)
+    toolkits = variables({"QT_QPA_PLATFORM": "wayland;xcb", "GDK_BACKEND": "wayland,x11"})
+    session = variables({"XDG_RUNTIME_DIR": inside, "WAYLAND_DISPLAY": socket_name})
     return [*mounted(socket, f"{inside}/{socket_name}"), *session, *toolkits]
 
 
 def sound(context: Context) -> Sequence[str]:
     """PulseAudio's socket, which PipeWire also has, and PipeWire's own."""
     host, line, folder = context.host, context.line, runtime(context.host, context.person)
-    if not _reaches(context):
-        return _elsewhere(context, "sound")
-    if not line.asks("sound") or line.sets("PULSE_SERVER"):
+    if not _reaches(context, "sound") or not line.asks("sound") or line.sets("PULSE_SERVER"):
         return []
     inside = f"/run/user/{context.person.uid}"
     server = host.environment.get("PULSE_SERVER", "").removeprefix("unix:")
     pulse = server if server.startswith("/") else f"{folder}/pulse/native"
     words = []
     if (server or folder) and host.answers(pulse):
-        words += [*mounted(pulse, f"{inside}/pulse/native"), *variables(PULSE_SERVER=f"unix:{inside}/pulse/native")]
+        words += mounted(pulse, f"{inside}/pulse/native")
+        words += variables({"PULSE_SERVER": f"unix:{inside}/pulse/native"})
     if folder and host.answers(f"{folder}/pipewire-0"):
-        words += [*mounted(f"{folder}/pipewire-0", f"{inside}/pipewire-0"), *variables(PIPEWIRE_RUNTIME_DIR=inside)]
+        words += mounted(f"{folder}/pipewire-0", f"{inside}/pipewire-0")
+        words += variables({"PIPEWIRE_RUNTIME_DIR": inside})
     if not words:
         raise RosmlError("--sound: neither PulseAudio nor PipeWire answers here", "start it, or leave out --sound")
     return words
 
 
 def ssh_agent(context: Context) -> Sequence[str]:
-    if not _reaches(context):
-        return _elsewhere(context, "ssh-agent")
-    if not context.line.asks("ssh-agent") or context.line.sets("SSH_AUTH_SOCK"):
+    line = context.line
+    if not _reaches(context, "ssh-agent") or not line.asks("ssh-agent") or line.sets("SSH_AUTH_SOCK"):
         return []
     socket, target = context.host.environment.get("SSH_AUTH_SOCK", ""), f"{MOUNT_FOLDER}/ssh-agent"
     if not socket.startswith("/") or not context.host.answers(socket):
         raise RosmlError("--ssh-agent: no agent answers here", 'eval "$(ssh-agent)"; ssh-add')
-    return [*mounted(socket, target), *variables(SSH_AUTH_SOCK=target)]
+    return [*mounted(socket, target), *variables({"SSH_AUTH_SOCK": target})]
 
 
 PLUGINS = (

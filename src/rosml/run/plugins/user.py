@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from rosml.run.context import Context
+from rosml.run.words import variables
 
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.-]{0,31}")
 """The names that an image's entrypoint takes for DOCKER_USER."""
@@ -79,9 +80,9 @@ def _bare(context: Context) -> Sequence[str]:
     ids = f"{person.uid}:{person.gid}"
     if not person.uid:
         return ["--user", ids]
-    facts = {"HOME": "/tmp", **({"USER": person.name, "LOGNAME": person.name} if person.name else {})}
+    names = {"USER": person.name, "LOGNAME": person.name} if person.name else {}
     entry = f"--passwd-entry={person.name or person.uid}:*:{ids}::/tmp:/bin/sh"
-    return ["--user", ids, *_entry(context, entry), *_variables(facts)]
+    return ["--user", ids, *_entry(context, entry), *variables({"HOME": "/tmp", **names})]
 
 
 def _entry(context: Context, option: str) -> Sequence[str]:
@@ -101,11 +102,6 @@ def _locked(context: Context) -> Sequence[str]:
 def _contract(context: Context) -> Sequence[str]:
     """The variables from which an entrypoint makes the user. A name that it would refuse is left out: the image has one."""
     person = context.person
-    facts = {VARIABLE: person.uid, "DOCKER_GID": person.gid}
     fits = NAME.fullmatch(person.name) and person.name not in SYSTEM
     name = {"DOCKER_USER": person.name} if fits else {}
-    return _variables({**facts, **name})
-
-
-def _variables(facts: Mapping[str, object]) -> list[str]:
-    return [word for key, value in facts.items() for word in ("-e", f"{key}={value}")]
+    return variables({VARIABLE: person.uid, "DOCKER_GID": person.gid, **name})
