@@ -83,7 +83,7 @@ exec {python} -IS "${{0%/*}}/engine.py" "$0" "$@"
 
 
 def answers(says: Mapping[str, Any]) -> Iterator[str]:
-    """Lines of `case` for what an engine is asked most."""
+    """Lines of `case` for the most frequent questions to an engine."""
     for word, answer in says["answers"].items():
         yield f"  {word}:*) printf '%s\\n' {shlex.quote(answer)}; exit ;;"
     if says["complaint"]:
@@ -123,14 +123,15 @@ sys.exit(run())
 
 
 BARE = Host(Path("/dev/null/nothing"))
-"""A machine with no files at all."""
 
 
 class Desk:
     """A folder in which somebody calls `rosml run`, with engines that are local replacements.
 
     Attributes:
-        folder: the current one. root: where it finds the machine's files. bin: all of PATH. command: `run`, or `attach`.
+        root: where it finds the machine's files.
+        bin: all of PATH.
+        command: `run`, or `attach`.
     """
 
     command = "run"
@@ -145,16 +146,15 @@ class Desk:
 
     @property
     def memory(self) -> Path:
-        """The file that has what somebody has allowed."""
         return Path(self.environment["HOME"], ".local/state/rosml/allowed.json")
 
     def trust(self, **images: bool) -> None:
-        """Has somebody said whether they trust images of docker's own registry."""
+        """Whether somebody trusts images of docker's own registry."""
         self.memory.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         self.memory.write_text(json.dumps({f"image docker.io/library/{name}": says for name, says in images.items()}))
 
     def engine(self, name: str = "docker", **facts: Any) -> None:
-        """Installs an engine, or changes what it says."""
+        """Installs an engine, or changes its answers."""
         says = {"info": DOCKER, "images": {"ubuntu": OTHER, "ours": OURS}, "containers": {}, "registry": {}}
         says |= {"code": 0, "complaint": "", "configs": {}, "started": "running", "answers": {}} | facts
         (self.bin / f"{name}.json").write_text(json.dumps(says))
@@ -165,38 +165,37 @@ class Desk:
         (self.bin / name).chmod(0o755)
 
     def argv(self, *words: str) -> list[str]:
-        """How rosml is called."""
         return [sys.executable, "-c", START, str(self.root), self.command, *words]
 
     def call(self, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
-        """Calls `rosml run` without a terminal, and with nothing to read."""
+        """Calls it without a terminal, and with nothing to read."""
         output, errors = os.pipe(), os.pipe()
         with open(os.devnull) as nothing:
             ended = self._begin(words, environment, nothing.fileno(), output[1], errors[1])
         os.close(output[1])
         os.close(errors[1])
-        with open(output[0]) as told, open(errors[0]) as complaints, ThreadPoolExecutor(1) as beside:
+        with open(output[0]) as stdout, open(errors[0]) as complaints, ThreadPoolExecutor(1) as beside:
             complaint = beside.submit(complaints.read)
-            said = told.read()
-            return subprocess.CompletedProcess(self.argv(*words), ended(), said, complaint.result())
+            text = stdout.read()
+            return subprocess.CompletedProcess(self.argv(*words), ended(), text, complaint.result())
 
     @property
     def calls(self) -> list[list[str]]:
         """All calls of engines so far."""
         file = self.bin / "calls"
         words = os.fsdecode(file.read_bytes()).split("\0")[:-1] if file.exists() else []
-        found = []
+        calls = []
         while words:
             count = int(words[0])
-            found.append(words[1 : count + 1])
+            calls.append(words[1 : count + 1])
             words = words[count + 1 :]
-        return found
+        return calls
 
     @property
     def ran(self) -> list[str]:
-        """What the only engine that ran something was called with."""
-        (found,) = [call for call in self.calls if call[1] in ("run", "exec")]
-        return found
+        """The call of the only engine that ran something."""
+        (argv,) = [call for call in self.calls if call[1] in ("run", "exec")]
+        return argv
 
     def called(self, word: str) -> bool:
         """Whether an engine was called with this first word."""
@@ -205,10 +204,12 @@ class Desk:
     def on_a_terminal(
         self, *words: str, output: int | None = None, keys: bytes = b"", before: bytes = b""
     ) -> tuple[int, bytes]:
-        """Calls it on a terminal of Python's own making: its exit code, and what the terminal gets to see.
+        """Calls it on a terminal of Python's own making: its exit code, and what the terminal shows.
 
         Args:
-            output: in the place of the terminal. keys: what somebody types, a line at each question. before: what they typed already.
+            output: in the place of the terminal.
+            keys: what somebody types, a line at each question.
+            before: what they typed already.
         """
         ours, theirs = pty.openpty()
         os.write(ours, before)
@@ -216,17 +217,17 @@ class Desk:
         out = theirs if output is None else output
         ended = self._begin(words, {}, theirs, out, theirs)
         os.close(theirs)
-        told = b""
+        screen = b""
         with contextlib.suppress(OSError):  # how a terminal says that nobody writes any more
             while part := os.read(ours, 1000):
-                told += part
-                if told.endswith(b"[y/N] ") and lines:
+                screen += part
+                if screen.endswith(b"[y/N] ") and lines:
                     os.write(ours, lines.pop(0))
         os.close(ours)
-        return ended(), told
+        return ended(), screen
 
     def _begin(self, words: Sequence[str], environment: Mapping[str, str], *files: int) -> Callable[[], int]:
-        """Begins a call; gives what waits for its end and has its exit code."""
+        """Begins a call. The result waits for its end and has its exit code."""
         _, _, code, *arguments = self.argv(*words)
         env = {**self.environment, **environment}
         server = forks.server(env)
@@ -234,15 +235,33 @@ class Desk:
         return server.end
 
 
+def docker_desk(path: Path, command: str = "run", **facts: Any) -> Desk:
+    """A desk with docker, which has the images `ubuntu` and `ours`; the latter is trusted."""
+    desk = Desk(path)
+    desk.command = command
+    desk.engine(**facts)
+    desk.trust(ours=True)
+    return desk
+
+
+def folder_container(
+    desk: Desk, image: str = "ours", state: str = "running", name: str = "dr", **config: Any
+) -> list[Any]:
+    """A container of the desk's folder, as an engine has it."""
+    ours = {"Env": OURS, "Entrypoint": ["/tini", "--", "/entrypoint.sh"]} if image == "ours" else {"Env": OTHER}
+    labels = {"io.rosml.run.folder": str(desk.folder)}
+    mounts = [{"Destination": place} for place in config.pop("mounts", [])]
+    return [state, f"/{name}", f"sha256:{image}", {"Image": image, "Labels": labels, **ours, **config}, mounts]
+
+
 LOCKED = ["--security-opt", "no-new-privileges"]
 USER = ["--user", f"{UID}:{GID}", *([] if UID == 0 else ["-e", "HOME=/tmp", *LOCKED])]
 
 
 def plain(desk: Desk) -> list[str]:
-    """What rosml adds where there is no terminal and the image makes no user."""
+    """The options of rosml without a terminal for an image that makes no user."""
     return ["docker", "run", "--rm", *labelled(desk), *USER]
 
 
 def labelled(desk: Desk) -> list[str]:
-    """By what `rosml attach` finds it."""
     return ["--label", f"io.rosml.run.folder={desk.folder}"]

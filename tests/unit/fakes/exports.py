@@ -31,11 +31,7 @@ def call(
     place: str = "",
     **facts: Any,
 ) -> Call:
-    """What would run of a command line that has an image.
-
-    Args:
-        facts: of the image.
-    """
+    """The described call of a command line that has an image. `facts` are those of the image."""
     variables = dict(entry.partition("=")[::2] for entry in (OURS if ours else OTHER))
     image = Image(**{"environment": variables, "command": ("bash",), **facts})
     context = KINDS[kind].seen(Context(split(line, OWN), engine, person, image, host, trusted))

@@ -18,7 +18,7 @@ LENGTH = 8
 """Bytes before a call that say how many it has."""
 
 FIXED = ("LANG", "LC_", "PYTHON")
-"""What the names of variables begin with that Python reads when it starts."""
+"""The beginnings of variables that Python reads when it starts."""
 
 
 class Server:
@@ -31,12 +31,7 @@ class Server:
             self._process = subprocess.Popen(argv, env=environment, pass_fds=[theirs.fileno()])
 
     def begin(self, code: str, words: Sequence[str], folder: str, environment: Mapping[str, str], *files: int) -> None:
-        """Begins a call.
-
-        Args:
-            code: what Python runs, as with `-c`. words: sys.argv behind it.
-            files: standard input, output and error.
-        """
+        """Begins a call of Python's `code`, as with `-c`. `files` are standard input, output and error."""
         call = json.dumps([code, words, folder, {**environment}]).encode()
         socket.send_fds(self._connection, [len(call).to_bytes(LENGTH, "big")], files)
         self._connection.sendall(call)
@@ -80,10 +75,10 @@ def serve(connection: socket.socket) -> str:
     os.environ.update(environment)
     sys.argv = ["-c", *words]
     for name, number, mode, buffering in (("stdin", 0, "r", -1), ("stdout", 1, "w", -1), ("stderr", 2, "w", 1)):
-        old = getattr(sys, name)
-        stream = open(number, mode, buffering, old.encoding, old.errors, closefd=False)  # noqa: SIM115
-        setattr(sys, name, stream)
-        setattr(sys, f"__{name}__", stream)
+        stream = getattr(sys, name)
+        new_stream = open(number, mode, buffering, stream.encoding, stream.errors, closefd=False)  # noqa: SIM115
+        setattr(sys, name, new_stream)
+        setattr(sys, f"__{name}__", new_stream)
     return str(code)
 
 

@@ -52,27 +52,27 @@ def argv(text: str) -> list[str]:
     for part, key, value in values(text):
         if part != "[Container]":
             continue
-        found = words(value) if key in QUOTED else [value]
+        value_words = words(value) if key in QUOTED else [value]
         if key == "Image":
             image = value
         elif key == "Exec":
-            command = found
+            command = value_words
         elif key == "PodmanArgs":
-            more += found
+            more += value_words
         elif key == "Group":
             group = value
         elif key in SWITCHES:
             assert value == "true"
             options.append(SWITCHES[key])
         else:
-            options += [f"{OPTIONS[key]}={word}" for word in found]
+            options += [f"{OPTIONS[key]}={word}" for word in value_words]
     options = [f"{word}:{group}" if word.startswith("--user=") and group else word for word in options]
     return started([*options, *more, image, *command])
 
 
 def words(text: str) -> list[str]:
     """The words of a value. As in the generator, an empty word ends all."""
-    found = list[str]()
+    split_words = list[str]()
     while text := text.lstrip(" \t"):
         word, quote = "", ""
         while text and (quote or text[0] not in " \t"):
@@ -89,17 +89,17 @@ def words(text: str) -> list[str]:
                 word += letter
         assert not quote, "quotes do not close"
         if not word:
-            return found
-        found.append(word)
-    return found
+            return split_words
+        split_words.append(word)
+    return split_words
 
 
-def started(found: Sequence[str]) -> list[str]:
+def started(words: Sequence[str]) -> list[str]:
     """The words that systemd hands on: it replaces `%x` and `$x`, and takes `;` for the end of a command."""
-    done = list[str]()
-    for word in found:
+    handed_on = list[str]()
+    for word in words:
         assert word != ";" and "\x80" not in word, word
         rest = word.replace("%%", "").replace("$$", "")
         assert "%" not in rest and "$" not in rest, word
-        done.append(word.replace("%%", "%").replace("$$", "$"))
-    return done
+        handed_on.append(word.replace("%%", "%").replace("$$", "$"))
+    return handed_on

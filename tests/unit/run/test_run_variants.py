@@ -30,7 +30,9 @@ def chosen(
         (root / name).write_text(content)
     line = split([*words, image], {"--no-gpu"})
     said = Image(labels={variants.LABEL: label, variants.STACK: own})
-    return variants.for_this_machine(Context(line, Engine(nvidia=nvidia), Person(1000, 1000, "me", "/home/me"), said, Host(root)))
+    return variants.for_this_machine(
+        Context(line, Engine(nvidia=nvidia), Person(1000, 1000, "me", "/home/me"), said, Host(root))
+    )
 
 
 @pytest.mark.parametrize(
