@@ -1,4 +1,4 @@
-"""What shells complete for `rosml run` and `rosml attach`: bash as somebody types, zsh and fish by what they are told."""
+"""What shells complete for `rosml run` and `rosml attach`: bash by typed keys, zsh and fish by the answers to them."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def path(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def told(path: Path, shell: str, instruction: str = "complete", **facts: str) -> list[str]:
-    """What a shell is told."""
+def answer(path: Path, shell: str, instruction: str = "complete", **facts: str) -> list[str]:
+    """The answer to a shell."""
     env = {"PATH": f"{path}:/usr/bin:/bin", "HOME": str(path), "_ROSML_COMPLETE": f"{shell}_{instruction}", **facts}
     done = subprocess.run(["rosml"], env=env, capture_output=True, text=True, check=True)
     assert done.stderr == ""
@@ -40,8 +40,8 @@ def told(path: Path, shell: str, instruction: str = "complete", **facts: str) ->
 
 
 def completed(path: Path, line: str) -> list[str]:
-    """What fish is told for a line."""
-    return told(path, "fish", COMP_WORDS=line, COMP_CWORD=line.rpartition(" ")[2])
+    """The answer to fish for a line."""
+    return answer(path, "fish", COMP_WORDS=line, COMP_CWORD=line.rpartition(" ")[2])
 
 
 @pytest.mark.parametrize(
@@ -54,7 +54,6 @@ def completed(path: Path, line: str) -> list[str]:
         ("rosml run --export c", ["plain,compose"]),
         ("rosml run --export=c", ["plain,--export=compose"]),
         ("rosml run --export compose --privi", ["plain,--privileged"]),
-        ("rosml run -v ./a", ["file,./a"]),
         ("rosml run -itv ./a", ["file,./a"]),
         ("rosml run -e ros", [""]),
         ("rosml run --network=ros", [""]),
@@ -70,29 +69,22 @@ def test_how_a_word_goes_on(path: Path, line: str, expected: list[str]) -> None:
 
 
 def test_zsh_is_told(path: Path) -> None:
-    assert told(path, "zsh", COMP_WORDS="rosml run ros:jazzy-b", COMP_CWORD="2") == ["plain", "ros:jazzy-base", "_"]
-    assert told(path, "zsh", COMP_WORDS="rosml attach ", COMP_CWORD="2") == [
-        "plain",
-        "other",
-        "_",
-        "plain",
-        "robot",
-        "_",
-    ]
-    assert any("compdef" in line for line in told(path, "zsh", "source"))
+    assert answer(path, "zsh", COMP_WORDS="rosml run ros:jazzy-b", COMP_CWORD="2") == ["plain", "ros:jazzy-base", "_"]
+    containers = ["plain", "other", "_", "plain", "robot", "_"]
+    assert answer(path, "zsh", COMP_WORDS="rosml attach ", COMP_CWORD="2") == containers
+    assert any("compdef" in line for line in answer(path, "zsh", "source"))
 
 
 @pytest.mark.parametrize("engine", ["exit 1", "sleep 60", None])
 def test_an_engine_that_has_no_answer(path: Path, engine: str | None) -> None:
-    """Silence, and soon."""
     (path / "docker").write_text(f"#!/bin/sh\n{engine}\n") if engine else (path / "docker").unlink()
     begun = time.monotonic()
-    assert told(path, "fish", COMP_WORDS="rosml run ", COMP_CWORD="", ROSML_ENGINE=str(path / "docker")) in ([], [""])
+    assert answer(path, "fish", COMP_WORDS="rosml run ", COMP_CWORD="", ROSML_ENGINE=str(path / "docker")) in ([], [""])
     assert time.monotonic() - begun < 10
 
 
 def typed(path: Path, keys: str) -> str:
-    """What bash runs as `rosml` after somebody has typed keys, with Tab where a `\\t` is, and Enter."""
+    """The words that bash gives to `rosml` after typed keys, with Tab for a `\t`, and Enter."""
     env = {"PATH": f"{path}:/usr/bin:/bin", "HOME": str(path), "TERM": "dumb", "INPUTRC": "/dev/null"}
     ours, theirs = pty.openpty()
     with subprocess.Popen(
@@ -101,22 +93,21 @@ def typed(path: Path, keys: str) -> str:
         os.close(theirs)
         begin = 'PS1=; eval "$(_ROSML_COMPLETE=bash_source rosml)"; rosml() { printf "<%s>" "$@"; echo; }\n'
         os.write(ours, f"{begin}rosml {keys}\nexit\n".encode())
-        seen = b""
+        screen = b""
         try:
             while part := os.read(ours, 4096):
-                seen += part
+                screen += part
         except OSError:  # bash has ended
             pass
         shell.wait(20)
     os.close(ours)
-    return next(line for line in reversed(seen.decode().replace("\r", "").splitlines()) if line.startswith("<"))
+    return next(line for line in reversed(screen.decode().replace("\r", "").splitlines()) if line.startswith("<"))
 
 
 @pytest.mark.parametrize(
     ("keys", "words"),
     [
         ("run ros:jazzy-b\tls", "<run><ros:jazzy-base><ls>"),
-        ("run ro\tb\tls", "<run><ros:jazzy-base><ls>"),
         ("run reg.test:50\tls", "<run><reg.test:5000/me/x:y><ls>"),
         ("run --privi\tro\tc\t", "<run><--privileged><ros:jazzy-core>"),
         ("run --export=com\tx", "<run><--export=compose><x>"),

@@ -1,4 +1,4 @@
-"""The words of `rosml run`: what is an option, its value, the image, or the command; thousands of generated command lines."""
+"""The words of `rosml run`: options, values, the image and the command; thousands of generated command lines."""
 
 from __future__ import annotations
 
@@ -17,13 +17,10 @@ from rosml.cli.run import run
 from rosml.cli.run.container import LINE
 from rosml.run.context import Context, Engine, Image, Person
 from rosml.run.plan import make_plan
-from rosml.run.words import TypedOption, Line, split, table
+from rosml.run.words import Line, TypedOption, split, table
 
 OWN = ("--no-rm", "--dry-run", "--help")
 NOBODY = Person(1000, 1000, "me", "/home/me")
-
-
-# ---- What docker and podman would read -------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -108,11 +105,11 @@ def test_what_cannot_be_read_has_a_remedy(words: list[str], says: str, remedy: s
 
 
 HELP = re.compile(r"^\s+(?:-(\w), )?--([a-z0-9-]+)(?: (\S+))?(?: {2,}|$)", re.MULTILINE)
-"""An option in what `docker run --help` prints: its letter, its name, and what its value is called."""
+"""An option in the help of `docker run`: its letter, its name, and the name of its value."""
 
 
 def wrong(text: str) -> list[str]:
-    """The options of an engine's help of which the table says something else."""
+    """The options of an engine's help that the table has in another way."""
     kinds = {True: table().values, False: table().switches}
     return [
         long
@@ -124,58 +121,24 @@ def wrong(text: str) -> list[str]:
 
 @pytest.mark.parametrize("engine", ["docker", "podman"])
 def test_the_table_is_that_of_the_engine_on_this_machine(engine: str) -> None:
-    """Where there is one; and the table is not empty in any case."""
     assert {"volume", "mount", "env", "name"} <= table().values and {"rm", "tty", "interactive"} <= table().switches
     if shutil.which(engine):
-        told = subprocess.run([engine, "run", "--help"], capture_output=True, text=True, check=True).stdout
-        assert len(HELP.findall(told)) > 50
-        assert wrong(told) == []
+        help_text = subprocess.run([engine, "run", "--help"], capture_output=True, text=True, check=True).stdout
+        assert len(HELP.findall(help_text)) > 50
+        assert wrong(help_text) == []
 
 
 def test_a_table_that_says_something_else_is_found() -> None:
-    told = "Options:\n  -d, --detach            Run\n  -e, --env list\n      --new string        What\n  -x, --tty        T\n"
-    assert wrong(told + "      --rm string         A switch here\n") == ["new", "tty", "rm"]
+    help_text = "Options:\n  -d, --detach            Run\n  -e, --env list\n      --new string        What\n  -x, --tty        T\n"
+    assert wrong(help_text + "      --rm string         A switch here\n") == ["new", "tty", "rm"]
 
-
-# ---- Generated -------------------------------------------------------------------------------------------------------
 
 WORD = st.text(st.characters(exclude_characters="\0", exclude_categories=()), max_size=12)
 """Any word that a process can get; lone surrogates are how Python has bytes that are no UTF-8."""
 TRICKY = st.sampled_from(
     [
-        *(
-            "",
-            " ",
-            "--",
-            "-",
-            "-it",
-            "--rm",
-            "--name",
-            "--help",
-            "--json",
-            "--dry-run",
-            "--image",
-            "-e",
-            "A=b c",
-            "a  b",
-        ),
-        *(
-            "*",
-            "$HOME",
-            '"',
-            "'",
-            "\\",
-            "\n",
-            "`id`",
-            "--no-user",
-            "--verbose",
-            ";",
-            "&&",
-            "\udcff",
-            "./a:/a",
-            "=",
-            "--=x",
-        ),
+        *("", " ", "--", "-", "-it", "--rm", "--name", "--help", "--json", "--dry-run", "-e", "A=b c", "a  b", "--=x"),
+        *("*", "$HOME", '"', "'", "\\", "\n", "`id`", "--no-user", "--verbose", ";", "&&", "\udcff", "./a:/a", "="),
     ]
 )
 WORDS = st.one_of(TRICKY, WORD)
@@ -187,7 +150,7 @@ SWITCHES = "itdqP"
 
 @st.composite
 def option(draw: st.DrawFn) -> list[str]:
-    """An option of the engine, in one of the ways in which it can be written."""
+    """An option of the engine, in one of its spellings."""
     long, letter, value = draw(st.sampled_from(VALUES)), draw(st.sampled_from(LETTERS)), draw(WORDS)
     some = draw(st.text(SWITCHES, max_size=3))
     ways = [[f"--{long}", value], [f"--{long}={value}"], [f"-{letter}", value], [f"-{some}{letter}", value]]
@@ -203,7 +166,7 @@ FLAGS = st.sampled_from(sorted(OWN_FLAGS))
 @settings(PROFILE, max_examples=PROFILE.max_examples * 10)
 @given(st.lists(st.one_of(option(), FLAGS.map(lambda flag: [flag])), max_size=6), IMAGE, st.lists(WORDS, max_size=8))
 def test_a_command_is_not_changed(options: list[list[str]], image: str, command: list[str]) -> None:
-    """Whatever stands before and in it: the engine gets its options, the image and the command word for word."""
+    """The engine gets its options, the image and the command word for word."""
     words = [word for option in options for word in option]
     assume(command[:1] != [""])
     context = run.main.make_context("rosml run", [*words, image, *command])
@@ -214,5 +177,5 @@ def test_a_command_is_not_changed(options: list[list[str]], image: str, command:
     assert [*argv[len(argv) - len(tail) :]] == tail
     added = argv[: len(argv) - len(tail)]
     assert added[:2] == ("docker", "run") and not OWN_FLAGS & set(added)
-    is_made = not line.asks("no-user") and not line.has("user", "entrypoint")
-    assert ("DOCKER_UID=1000" in added) == is_made
+    makes_user = not line.asks("no-user") and not line.has("user", "entrypoint")
+    assert ("DOCKER_UID=1000" in added) == makes_user

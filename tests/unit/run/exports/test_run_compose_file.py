@@ -1,4 +1,4 @@
-"""`rosml run --export compose --add FILE`: the service is added, and all else stays byte for byte."""
+"""`rosml run --export compose --add FILE`: the service is added, and the rest stays byte for byte."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ WHOLE: dict[str, Any] = {
 
 def added(text: str, content: dict[str, Any] = SERVICE) -> str:
     """The text with the content. Nothing of the text is gone, and a second call adds nothing."""
-    found = compose_file.added(text, content, "compose.yaml")
-    lines = difflib.ndiff(text.splitlines(keepends=True), found.splitlines(keepends=True))
+    after = compose_file.added(text, content, "compose.yaml")
+    lines = difflib.ndiff(text.splitlines(keepends=True), after.splitlines(keepends=True))
     kept = "".join(line[2:] for line in lines if line[:2] in ("  ", "- "))
-    assert kept == text and len(found.encode()) >= len(text.encode())
-    assert compose_file.added(found, content, "compose.yaml") == found
-    return found
+    assert kept == text and len(after.encode()) >= len(text.encode())
+    assert compose_file.added(after, content, "compose.yaml") == after
+    return after
 
 
 @pytest.mark.parametrize(
@@ -56,20 +56,16 @@ def test_what_is_there_stays(text: str, expected: str) -> None:
 
 
 def test_networks_and_volumes() -> None:
-    """Each goes into its own part, or makes one."""
     text = "services:\n  a:\n    image: y\n\nvolumes:\n  b:\n"
-    found = yaml.safe_load(added(text, WHOLE))
-    assert found == {
+    document = yaml.safe_load(added(text, WHOLE))
+    assert document == {
         "services": {"a": {"image": "y"}, **WHOLE["services"]},
         "volumes": {"b": None, "data": {"name": "data"}},
         "networks": WHOLE["networks"],
     }
     assert list(yaml.safe_load(added("services:\n", WHOLE))) == ["services", "networks", "volumes"]
-
-
-def test_the_same_service_is_there() -> None:
-    text = "services:\n  robot: {command: [a, '$$b'], image: x}\n"
-    assert compose_file.added(text, SERVICE, "compose.yaml") == text
+    same = "services:\n  robot: {command: [a, '$$b'], image: x}\n"
+    assert compose_file.added(same, SERVICE, "compose.yaml") == same
 
 
 @pytest.mark.parametrize(
@@ -115,11 +111,11 @@ def test_any_file_is_kept_or_refused(services: dict[str, Any], indent: int, bloc
         {"name": "x", "services": services, "x-more": more}, indent=indent, sort_keys=False, default_style=style
     )
     try:
-        found = compose_file.added(text, WHOLE, "compose.yaml")
+        text_after = compose_file.added(text, WHOLE, "compose.yaml")
     except RosmlError as error:
         assert error.remedy
         return
-    before, after = yaml.safe_load(text), yaml.safe_load(found)
+    before, after = yaml.safe_load(text), yaml.safe_load(text_after)
     assert after == before | {
         "services": before["services"] | WHOLE["services"],
         "networks": WHOLE["networks"],
@@ -127,26 +123,24 @@ def test_any_file_is_kept_or_refused(services: dict[str, Any], indent: int, bloc
     }
 
 
-# ---- The file --------------------------------------------------------------------------------------------------------
-
-
 def test_the_file_keeps_its_mode_and_paths_begin_at_its_folder(tmp_path: Path) -> None:
     file = tmp_path / "compose.yaml"
     file.write_text("services:\n  a:\n    image: y\n")
     file.chmod(0o600)
     mounted = ["--name", "camera", "-v", f"{tmp_path}/bags:/bags", "--env-file", "e", "x", "ls"]
-    said = compose_file.add(file, call(*mounted, place=str(tmp_path)))
-    found = yaml.safe_load(file.read_text())["services"]
-    assert said == f"{file}: added the service camera" and file.stat().st_mode & 0o777 == 0o600
+    message = compose_file.add(file, call(*mounted, place=str(tmp_path)))
+    services = yaml.safe_load(file.read_text())["services"]
+    assert message == f"{file}: added the service camera" and file.stat().st_mode & 0o777 == 0o600
     assert (
-        found["camera"]["volumes"] == ["./bags:/bags"] and found["camera"]["env_file"][0]["path"] == "/home/jo/robot/e"
+        services["camera"]["volumes"] == ["./bags:/bags"]
+        and services["camera"]["env_file"][0]["path"] == "/home/jo/robot/e"
     )
     assert [path.name for path in tmp_path.iterdir()] == ["compose.yaml"]
     assert compose_file.add(file, call(*mounted, place=str(tmp_path))) == f"{file}: has the service camera already"
 
 
 @pytest.mark.parametrize(
-    ("made", "says"),
+    ("make", "says"),
     [
         (lambda file: None, "there is no such file"),
         (lambda file: file.mkdir(), "it is no file"),
@@ -154,9 +148,9 @@ def test_the_file_keeps_its_mode_and_paths_begin_at_its_folder(tmp_path: Path) -
         (lambda file: file.write_bytes(b"\xff"), "no text in UTF-8"),
     ],
 )
-def test_a_file_that_cannot_be_read(tmp_path: Path, made: Any, says: str) -> None:
+def test_a_file_that_cannot_be_read(tmp_path: Path, make: Any, says: str) -> None:
     (tmp_path / "other").write_text("services:\n")
-    made(tmp_path / "compose.yaml")
+    make(tmp_path / "compose.yaml")
     with pytest.raises(RosmlError, match=says) as caught:
         compose_file.add(tmp_path / "compose.yaml", call("x"))
     assert caught.value.remedy and (tmp_path / "other").read_text() == "services:\n"

@@ -22,8 +22,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli.run.export import KINDS
 from rosml.run import words
 from rosml.run.context import Context, Host, Image
-from rosml.run.exports import compose, devcontainer
-from rosml.run.exports import description
+from rosml.run.exports import compose, description, devcontainer
 from rosml.run.plan import make_plan
 from rosml.run.words import split
 

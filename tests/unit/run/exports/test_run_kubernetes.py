@@ -14,8 +14,7 @@ from fakes.exports import call, text
 from rosml.base.errors import RosmlError
 from rosml.run import words
 from rosml.run.context import Health
-from rosml.run.exports import description
-from rosml.run.exports import kubernetes
+from rosml.run.exports import description, kubernetes
 
 RELEASES = ("1.30", "1.37")
 """Releases of Kubernetes whose schemas take the files."""

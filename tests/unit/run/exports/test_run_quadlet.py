@@ -20,8 +20,7 @@ from fakes.exports import ME, PODMAN, text
 from rosml.base.errors import RosmlError
 from rosml.run import words
 from rosml.run.context import Engine, Host
-from rosml.run.exports import description
-from rosml.run.exports import quadlet
+from rosml.run.exports import description, quadlet
 from tests.pages import blocks, commands
 
 QUIET = ("--no-tz", "--no-user")

@@ -24,8 +24,8 @@ from rosml.cli.run import run
 from rosml.images.image_set import labels
 from rosml.run import host
 from rosml.run.context import Address, Context, Engine, Host, Image, Person
-from rosml.run.plugin import Added, Plugin
 from rosml.run.plan import make_plan
+from rosml.run.plugin import Added, Plugin
 from rosml.run.plugins import chips, devices, discovery, gpu, sockets, xauthority
 from rosml.run.plugins.discovery import BUILT_IN, in_order
 from rosml.run.plugins.xauthority import LOCAL, WILD, Entry
