@@ -13,8 +13,7 @@ from typing import Any
 
 import pytest
 
-from fakes.desks import OTHER, OURS, Desk, docker_desk, folder_container
-from rosml.base.errors import RosmlError
+from fakes.desks import OURS, Desk, docker_desk, folder_container
 from rosml.cli.run import attach as cli
 from rosml.run import attach
 from rosml.run.context import Container, Image, Person
@@ -63,29 +62,9 @@ def test_a_command_arrives_as_it_is(desk: Desk, words: list[str]) -> None:
 
 def test_a_container_by_its_name(desk: Desk) -> None:
     desk.engine(containers={"x": ["running", "/x", "sha256:y", {"Env": None, "User": "7:8"}, None]})
-    assert desk.call("x", "ls").returncode == 0
-    assert entered(desk) == ["--user", "7:8", "x", "ls"]
+    assert desk.call("x", "ls").returncode == 0 and entered(desk) == ["--user", "7:8", "x", "ls"]
     done = desk.call("y")
     assert done.returncode == 125 and "error: no container named y\nremedy: docker ps --all" in done.stderr
-
-
-def test_the_images_command_is_the_default(desk: Desk) -> None:
-    desk.engine(
-        containers={"dr": folder_container(desk, "alpine")},
-        images={"alpine": OTHER},
-        configs={"alpine": {"Cmd": ["sh"]}},
-    )
-    assert desk.call().returncode == 0 and entered(desk) == ["dr", "sh"]
-
-
-def test_what_another_images_entrypoint_takes_is_no_default(desk: Desk) -> None:
-    """`sh` may be an argument of it."""
-    desk.engine(
-        containers={"dr": folder_container(desk, "alpine", Entrypoint=["/init"])},
-        images={"alpine": OTHER},
-        configs={"alpine": {"Cmd": ["sh"], "Entrypoint": ["/init"]}},
-    )
-    assert desk.call().returncode == 0 and entered(desk) == ["dr", "bash"]
 
 
 @pytest.mark.parametrize(
@@ -276,17 +255,14 @@ def line(*words: str) -> Line:
         (FOREIGN, Image(command=("sh",)), [], ["--user", "1000:1000", "c", "sh"]),
         (FOREIGN, Image(command=("-x",), entrypoint=("/run",)), [], ["--user", "1000:1000", "c", "bash"]),
         (FOREIGN, None, ["--name=x", "--rm"], ["--user", "1000:1000", "c", "bash"]),
+        *(
+            (BUILT_ON_OURS, None, ["-u0", x], ["-u0", x, "c", "/entrypoint.sh", "bash"])
+            for x in ("--privileged", "-deA=b")
+        ),
     ],
 )
 def test_who_enters(container: Container, image: Image | None, words: list[str], expected: list[str]) -> None:
     assert attach.argv("podman", line(*words), ME, container, image) == ["podman", "exec", *expected]
-
-
-@pytest.mark.parametrize("words", [["--privileged"], ["--env-file=x"], ["--detach-keys", "x"], ["-de", "A=b"]])
-def test_options_of_both(words: list[str]) -> None:
-    assert attach.argv("docker", line(*words), ME, Container("c", "running"), None)[2:-2] == words
-    with pytest.raises(RosmlError, match="--gpus is for a container that starts"):
-        attach.argv("docker", line(*words, "--gpus", "all"), ME, Container("c", "running"), None)
 
 
 @pytest.mark.parametrize("engine", ["docker", "podman"])

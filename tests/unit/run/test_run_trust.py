@@ -1,53 +1,44 @@
-"""Which images `rosml run` starts as root: those of repositories that the person trusts, by name. The engine is a local replacement,
-which writes down how it is called."""
+"""Which images `rosml run` starts as root: those of repositories that the user trusts, by name."""
 
 from __future__ import annotations
 
 import json
-import os
 import shutil
 from pathlib import Path
 from typing import Any
 
 import pytest
-import yaml
 from conftest import ROOT
 
-from fakes.desks import LOCKED, OTHER, OURS, PODMAN, ROOTLESS, Desk
+from fakes.desks import DOCKER, LOCKED, OTHER, OURS, PODMAN, ROOTLESS, Desk
 from rosml.run import consent, trust
 
 JO = ["--user", "1234:1234", "-e", "HOME=/tmp", "-e", "USER=jo", "-e", "LOGNAME=jo", *LOCKED]
-MADE = ["-e", "DOCKER_UID=1234", "-e", "DOCKER_GID=1234", "-e", "DOCKER_USER=jo"]
+CONTRACT = ["-e", "DOCKER_UID=1234", "-e", "DOCKER_GID=1234", "-e", "DOCKER_USER=jo"]
 REMEDY = "remedy: --trust trusts all images of that repository from now on\n"
 EVIL = "ghcr.io/evil/robot"
 
 
 @pytest.fixture
 def desk(tmp_path: Path) -> Desk:
-    """A desk of somebody who is not root, with an image of a stranger's that says DOCKER_UID."""
-    made = Desk(tmp_path)
-    made.environment["DESK_UID"] = "1234"
-    made.engine(images={"ours": OURS, "ubuntu": OTHER, EVIL: OURS, f"{EVIL}:2": OURS})
-    return made
+    desk = Desk(tmp_path)
+    desk.environment["DESK_UID"] = "1234"
+    desk.engine(images={"ours": OURS, "ubuntu": OTHER, EVIL: OURS, f"{EVIL}:2": OURS})
+    return desk
 
 
 def runs_as(desk: Desk) -> list[str]:
-    """Who runs in the container that was started last."""
+    """The options of whoever runs in the container that was started last."""
     started = [call for call in desk.calls if call[1] == "run"][-1]
-    found = [words for words in (JO, MADE) if words[1] in started]
-    assert len(found) == 1 and started[(at := started.index(found[0][0], 4)) :][: len(found[0])] == found[0], (
-        at,
-        started,
-    )
-    return found[0]
+    (options,) = [options for options in (JO, CONTRACT) if options[1] in started]
+    at = started.index(options[0], 4)
+    assert started[at : at + len(options)] == options
+    return options
 
 
 def remembered(desk: Desk) -> Any:
-    """What the memory has; None if there is none."""
+    """The memory's content; None if there is none."""
     return json.loads(desk.memory.read_text()) if desk.memory.exists() else None
-
-
-# ---- Names -----------------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -81,7 +72,6 @@ def test_the_repository_of_a_name(name: str, repository: str) -> None:
 
 
 def test_podman_looks_up_short_names_by_its_own_settings() -> None:
-    """Its `ros` may be that of another registry than Docker's."""
     assert trust.repository("ros:jazzy", "0", podman=True) == "ros"
     assert trust.repository("docker.io/ros", "0", podman=True) == "docker.io/library/ros"
     assert trust.repository("oci:ros", "0", podman=True) == "sha256:0", "the image in a folder"
@@ -91,19 +81,17 @@ def test_podman_looks_up_short_names_by_its_own_settings() -> None:
     ("name", "is_local"),
     [
         ("127.0.0.1:5000/rosml/ros:jazzy-base", True),
-        ("127.0.0.1:5000/rosml-evil/x", False),
-        ("127.0.0.1:5000/rosml", False),
-        ("127.0.0.1:50000/rosml/ros", False),
-        ("127.0.0.1/rosml/ros", False),
-        ("evil.com/127.0.0.1:5000/rosml/ros", False),
-        ("evil/rosml:127.0.0.1", False),
-        ("rosml/ros", False),
+        *(
+            (f"127.0.0.1{rest}", False)
+            for rest in (":5000/rosml-evil/x", ":5000/rosml", ":50000/rosml/ros", "/rosml/ros")
+        ),
+        *((name, False) for name in ("evil.com/127.0.0.1:5000/rosml/ros", "evil/rosml:127.0.0.1", "rosml/ros")),
     ],
 )
 def test_the_local_registry_of_a_checkout(tmp_path: Path, name: str, is_local: bool) -> None:
     (tmp_path / "services.json").write_text(json.dumps({"registry": "127.0.0.1:5000"}))
-    found = trust.repository(name, "0", podman=False)
-    assert trust.is_local(found, trust.local_registry(tmp_path)) == is_local
+    repository = trust.repository(name, "0", podman=False)
+    assert trust.is_local(repository, trust.local_registry(tmp_path)) == is_local
 
 
 @pytest.mark.parametrize(
@@ -127,16 +115,13 @@ def test_a_checkout_trusts_what_it_builds(desk: Desk, tmp_path: Path) -> None:
     for state in (checkout / ".state", desk.folder / ".state"):
         state.mkdir()
         (state / "services.json").write_text(json.dumps({"registry": "127.0.0.1:5000"}))
-    assert desk.call(local, PYTHONPATH=str(checkout / "src")).stderr == "" and runs_as(desk) == MADE
+    assert desk.call(local, PYTHONPATH=str(checkout / "src")).stderr == "" and runs_as(desk) == CONTRACT
     assert REMEDY in desk.call(evil, PYTHONPATH=str(checkout / "src")).stderr and runs_as(desk) == JO
     assert REMEDY in desk.call(local, PYTHONPATH=str(installed)).stderr and runs_as(desk) == JO
 
 
-# ---- The question ----------------------------------------------------------------------------------------------------
-
-
 def test_a_strangers_image_runs_as_the_person(desk: Desk) -> None:
-    """Although it says that it makes users. It is said once how to trust it, and nothing is remembered."""
+    """Although it claims to make users."""
     done = desk.call("-v", ".:/x", EVIL)
     warning = f"warning: {EVIL} wants to start as root, and you have not trusted it: it runs as you, without sudo\n"
     assert (done.returncode, done.stderr) == (0, warning + REMEDY)
@@ -144,14 +129,14 @@ def test_a_strangers_image_runs_as_the_person(desk: Desk) -> None:
     assert desk.call("ubuntu").stderr == "" and runs_as(desk) == JO, "another image asks for nothing"
 
 
-@pytest.mark.parametrize(("keys", "expected"), [(b"y\n", MADE), (b"n\n", JO), (b"\n", JO)])
+@pytest.mark.parametrize(("keys", "expected"), [(b"y\n", CONTRACT), (b"n\n", JO), (b"\n", JO)])
 def test_somebody_is_asked_once_for_a_repository(desk: Desk, keys: bytes, expected: list[str]) -> None:
-    code, told = desk.on_a_terminal("--no-name", EVIL, keys=keys)
-    said = told.decode().replace("\r", "").splitlines()
+    code, screen = desk.on_a_terminal("--no-name", EVIL, keys=keys)
+    lines = screen.decode().replace("\r", "").splitlines()
     assert code == 0 and runs_as(desk) == expected
-    assert f"{EVIL} wants to start as root, and to make a user with your ids then." in said
-    assert any(line.startswith(f"Trust all images of {EVIL}? [y/N] ") for line in said)
-    assert remembered(desk) == {f"image {EVIL}": expected == MADE} and desk.memory.stat().st_mode & 0o777 == 0o600
+    assert f"{EVIL} wants to start as root, and to make a user with your ids then." in lines
+    assert any(line.startswith(f"Trust all images of {EVIL}? [y/N] ") for line in lines)
+    assert remembered(desk) == {f"image {EVIL}": expected == CONTRACT} and desk.memory.stat().st_mode & 0o777 == 0o600
     assert desk.on_a_terminal("--no-name", f"{EVIL}:2") == (0, b"") and runs_as(desk) == expected, "both are remembered"
     assert desk.call(EVIL).stderr == "" and runs_as(desk) == expected
     desk.on_a_terminal("--no-name", "ours", keys=b"n\n")
@@ -159,83 +144,54 @@ def test_somebody_is_asked_once_for_a_repository(desk: Desk, keys: bytes, expect
 
 
 def test_an_option_trusts_without_a_question(desk: Desk) -> None:
-    """For this call and from now on, also after a no."""
     desk.trust(ours=False)
     assert desk.call("ours").stderr == "" and runs_as(desk) == JO
-    assert desk.call("--trust", "ours").stderr == "" and runs_as(desk) == MADE and "--trust" not in desk.calls[-1]
+    assert desk.call("--trust", "ours").stderr == "" and runs_as(desk) == CONTRACT and "--trust" not in desk.calls[-1]
     assert remembered(desk) == {"image docker.io/library/ours": True}
-    assert desk.on_a_terminal("--no-name", "ours") == (0, b"") and runs_as(desk) == MADE
+    assert desk.on_a_terminal("--no-name", "ours") == (0, b"") and runs_as(desk) == CONTRACT
 
 
-@pytest.mark.parametrize("option", ["--dry-run", "--json", "--export=compose", "--export=devcontainer"])
+@pytest.mark.parametrize("option", ["--dry-run", "--json", "--export=compose", "--export=devcontainer", "--check"])
 def test_where_nothing_runs_nobody_is_asked(desk: Desk, option: str) -> None:
-    """And nothing is remembered."""
-    code, told = desk.on_a_terminal(option, "ours", keys=b"y\n")
-    assert code == 0 and b"--trust trusts" in told and b"[y/N]" not in told and b"no-new-privileges" in told
-    assert b"DOCKER_UID=1234" not in told
+    desk.engine(images={"ours": [*OURS, "ROS_DISTRO=jazzy"]})
+    code, screen = desk.on_a_terminal(option, "ours", keys=b"y\n")
+    assert b"--trust trusts" in screen and b"[y/N]" not in screen and b"DOCKER_UID=1234" not in screen
     done = desk.call(option, "--trust", "ours")
     assert done.stderr == "" and remembered(desk) is None
-    assert ("no-new-privileges" in done.stdout) == (option == "--export=devcontainer"), "an editor enters no entrypoint"
+    if option != "--check":
+        assert code == 0 and b"no-new-privileges" in screen and b"1234:1234" in screen
+        assert ("no-new-privileges" in done.stdout) == (option == "--export=devcontainer"), (
+            "an editor has no entrypoint"
+        )
 
 
-def test_the_check_says_who_would_run(desk: Desk) -> None:
-    desk.engine(images={"ros": [*OURS, "ROS_DISTRO=jazzy"]})
-    assert REMEDY in desk.call("--check", "ros").stderr and desk.call("--check", "--trust", "ros").stderr == ""
-
-
-def test_exports_carry_it(desk: Desk) -> None:
-    (service,) = yaml.safe_load(desk.call("--export=compose", EVIL).stdout)["services"].values()
-    assert (service["user"], service["security_opt"]) == ("1234:1234", ["no-new-privileges"])
-    editor = json.loads(desk.call("--export=devcontainer", EVIL).stdout)
-    assert (editor["containerUser"], editor["securityOpt"]) == ("1234:1234", ["no-new-privileges"])
-    assert "--group-add=0" not in editor["runArgs"], "root's group is for images that somebody trusts"
-
-
-@pytest.mark.parametrize(
-    "words", [["--user", "7"], ["--no-user"], ["--entrypoint", "sh"], ["-u7"], ["--user=0"]], ids=lambda words: words[0]
-)
-def test_whoever_says_who_runs_is_not_asked(desk: Desk, words: list[str]) -> None:
-    assert desk.on_a_terminal("--no-name", *words, EVIL, keys=b"y\n")[1].count(b"[y/N]") == 0
+@pytest.mark.parametrize("words", [["--user", "7"], ["--no-user"], ["--entrypoint", "sh"], ["--userns=host"]])
+def test_whoever_chooses_who_runs_is_not_asked(desk: Desk, words: list[str]) -> None:
+    """Another user namespace of docker gets nothing without trust."""
+    screen = desk.on_a_terminal("--no-name", *words, EVIL, keys=b"y\n")[1]
+    assert b"[y/N]" not in screen and (b"--trust trusts" in screen) == (words == ["--userns=host"])
     assert "DOCKER_UID=1234" not in desk.ran and remembered(desk) is None
 
 
-def test_another_user_namespace_of_docker(desk: Desk) -> None:
-    """It is not asked about, and gets nothing without trust."""
-    told = desk.on_a_terminal("--no-name", "--userns=host", EVIL, keys=b"y\n")[1]
-    assert b"[y/N]" not in told and b"--trust trusts" in told and runs_as(desk) == JO
-
-
-@pytest.mark.parametrize("info", [ROOTLESS, PODMAN])
-def test_engines_without_root_need_no_trust(desk: Desk, info: dict[str, Any]) -> None:
+@pytest.mark.parametrize(("info", "uid"), [(ROOTLESS, 1234), (PODMAN, 1234), (DOCKER, 0)])
+def test_without_more_rights_no_trust_is_needed(desk: Desk, info: dict[str, Any], uid: int) -> None:
+    """Engines without root, and root itself."""
     desk.engine(images={EVIL: OURS}, info=info)
+    desk.environment["DESK_UID"] = str(uid)
     assert desk.on_a_terminal("--no-name", EVIL) == (0, b"") and "no-new-privileges" not in desk.ran
-
-
-def test_root_needs_no_trust(desk: Desk) -> None:
-    """Root in the container is the person."""
-    desk.environment["DESK_UID"] = "0"
-    assert desk.on_a_terminal("--no-name", EVIL) == (0, b"")
-    assert "DOCKER_UID=0" in desk.ran and "no-new-privileges" not in desk.ran
-
-
-def test_a_file_cannot_trust(desk: Desk) -> None:
-    """Neither that of a project nor the person's."""
-    (desk.folder / ".rosml.toml").write_text('options = ["--trust"]')
-    done = desk.call(EVIL)
-    assert done.returncode == 125 and ".rosml.toml:1: --trust is for the command line alone" in done.stderr
+    assert ("DOCKER_UID=0" in desk.ran) == (uid == 0)
 
 
 def test_what_was_typed_before_a_question_is_no_answer(desk: Desk) -> None:
     """Somebody may hit Enter, or type the next command, while an image is pulled."""
-    code, told = desk.on_a_terminal("--no-name", EVIL, keys=b"n\n", before=b"y\n")
-    assert code == 0 and told.count(b"[y/N]") == 1 and runs_as(desk) == JO
+    code, screen = desk.on_a_terminal("--no-name", EVIL, keys=b"n\n", before=b"y\n")
+    assert code == 0 and screen.count(b"[y/N]") == 1 and runs_as(desk) == JO
 
 
 def test_a_files_image_is_allowed_and_not_trusted(desk: Desk) -> None:
-    """Two questions: whether the project's file may name it, and whether it may start as root."""
     (desk.folder / ".rosml.toml").write_text(f'image = "{EVIL}"\noptions = ["--no-name"]')
-    code, told = desk.on_a_terminal("--new", keys=b"y\nn\n")
-    assert code == 0 and told.count(b"[y/N]") == 2 and runs_as(desk) == JO
+    code, screen = desk.on_a_terminal("--new", keys=b"y\nn\n")
+    assert code == 0 and screen.count(b"[y/N]") == 2 and runs_as(desk) == JO
     assert {*map(type, remembered(desk).values())} == {str, bool}, "each in its own place"
 
 
@@ -265,6 +221,5 @@ def test_an_image_by_its_id_stands_for_itself(desk: Desk) -> None:
 
 def test_an_answer_that_cannot_be_kept(desk: Desk) -> None:
     Path(desk.environment["HOME"], ".local").touch()
-    code, told = desk.on_a_terminal("--no-name", EVIL, keys=b"y\n")
-    assert code == 0 and b"allowed.json: Not a directory" in told and runs_as(desk) == MADE
-    assert os.listdir(desk.folder) == []
+    code, screen = desk.on_a_terminal("--no-name", EVIL, keys=b"y\n")
+    assert code == 0 and b"allowed.json: Not a directory" in screen and runs_as(desk) == CONTRACT
