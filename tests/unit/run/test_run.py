@@ -27,9 +27,6 @@ def subprocess_of(desk: Desk, *words: str | bytes, **options: object) -> subproc
     return subprocess.run(argv, cwd=desk.folder, env=desk.environment, **options)  # type: ignore[call-overload, no-any-return]
 
 
-# ---- Words -----------------------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     "words",
     [
@@ -82,9 +79,6 @@ def test_a_running_container_of_the_folders_name_is_left_alone(desk: Desk) -> No
     assert desk.on_a_terminal("--new", "ubuntu", "ls")[0] == 0 and "--name" not in desk.calls[-1]
 
 
-# ---- The terminal ----------------------------------------------------------------------------------------------------
-
-
 def test_on_a_terminal(desk: Desk) -> None:
     assert desk.on_a_terminal("--no-tz", "ours") == (0, b"")
     assert desk.ran[:7] == ["docker", "run", "--rm", "-i", "-t", "--name", "dr"]
@@ -115,9 +109,6 @@ def test_input(desk: Desk, tmp_path: Path) -> None:
     assert person.reads(os.open(tmp_path, os.O_RDONLY))
     closed = ["/bin/sh", "-c", 'exec "$@" <&-', "sh", *desk.argv("ubuntu")]
     assert subprocess.run(closed, env=desk.environment, cwd=desk.folder).returncode == 0 and "-i" not in desk.calls[-1]
-
-
-# ---- The end ---------------------------------------------------------------------------------------------------------
 
 
 def test_the_exit_code_is_the_commands(desk: Desk) -> None:
@@ -171,9 +162,6 @@ def test_output_that_nobody_reads_is_no_failure_and_a_full_disk_is(desk: Desk, o
     with open("/dev/full", "w") as full:
         done = subprocess_of(desk, option, "ubuntu", stdout=full, stderr=subprocess.PIPE)
     assert done.returncode == 125 and b"No space left on device\nremedy: " in done.stderr
-
-
-# ---- Engines and images ----------------------------------------------------------------------------------------------
 
 
 def test_which_engine_runs(desk: Desk) -> None:
@@ -297,9 +285,6 @@ def test_a_name_that_is_taken(desk: Desk, state: str, name: str, refused: bool, 
     assert done.returncode == (125 if refused else 0)
     assert ("a container named x1 " in done.stderr) == refused and remedy in done.stderr
     assert desk.call("--name=x1", "--replace", "ubuntu").returncode == 0, "podman replaces it"
-
-
-# ---- Wrong calls -----------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(

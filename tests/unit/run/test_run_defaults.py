@@ -7,6 +7,7 @@ import os
 import re
 import shlex
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -60,9 +61,6 @@ def allow(desk: Desk) -> None:
 def question(desk: Desk) -> str:
     """The settings that need a question; empty if none does."""
     return desk.call().stderr.partition(" wants what you have not allowed: ")[2].partition("\n")[0]
-
-
-# ---- What counts -----------------------------------------------------------------------------------------------------
 
 
 def test_the_command_line_wins_over_the_project_and_that_over_the_person(desk: Desk) -> None:
@@ -211,9 +209,6 @@ def test_the_page_shows_the_questions(tmp_path: Path) -> None:
     assert {*re.findall("`([A-Z_]+)`", table)} == {*re.findall("[A-Z_]{4,}", consent.HARMLESS_VARIABLE.pattern)}
 
 
-# ---- Files that are wrong --------------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("text", "says", "remedy"),
     [
@@ -244,11 +239,11 @@ def test_a_file_that_is_wrong(desk: Desk, text: str, says: str, remedy: str) -> 
 
 
 def test_what_is_no_file(desk: Desk) -> None:
-    file, own = desk.folder / ".rosml.toml", person(desk, "")
-    makers = {
+    file, settings = desk.folder / ".rosml.toml", person(desk, "")
+    makers: dict[str, Callable[[], object]] = {
         "": file.mkdir,
         "it is no file": lambda: os.mkfifo(file),
-        "it is a link": lambda: file.symlink_to(own),
+        "it is a link": lambda: file.symlink_to(settings),
         "not UTF-8 (byte 0xff)": lambda: file.write_bytes(b"#\n#\xff"),
     }
     for text, make in makers.items():
@@ -256,12 +251,10 @@ def test_what_is_no_file(desk: Desk) -> None:
         done = desk.call("ubuntu")
         assert done.returncode == 125 and f"error: {file}:" in done.stderr and text in done.stderr
         file.rmdir() if file.is_dir() else file.unlink()
-    own.unlink()
-    own.mkdir()
-    assert f"error: {own}: " in desk.call("ubuntu").stderr
+    settings.unlink()
+    settings.mkdir()
+    assert f"error: {settings}: " in desk.call("ubuntu").stderr
 
-
-# ---- Questions -------------------------------------------------------------------------------------------------------
 
 HARMLESS = ["--mws", "--mwd", "--no-rm", "--no-gpu", "--no-x11", "--no-ros", "-it", "--rm", "-e ROS_DOMAIN_ID=7"]
 HARMLESS += ["--name=x", "-itm 1g", "--shm-size=2g", "--env=RMW_IMPLEMENTATION=rmw_cyclonedds_cpp"]
@@ -284,9 +277,9 @@ def test_which_options_need_a_question(option: str) -> None:
 
 
 def test_whose_file_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
-    for uid, own in ((1000, [True, True, False]), (0, [True, False, True])):
-        monkeypatch.setattr("os.geteuid", lambda uid=uid: uid)
-        assert [defaults.is_own(owner, {"SUDO_UID": "1001"}) for owner in (0, 1000, 1001)] == own
+    for uid, expected in ((1000, [True, True, False]), (0, [True, False, True])):
+        monkeypatch.setattr("os.geteuid", uid.__int__)
+        assert [defaults.is_own(owner, {"SUDO_UID": "1001"}) for owner in (0, 1000, 1001)] == expected
 
 
 def test_another_users_memory_allows_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -384,8 +377,6 @@ def test_a_folders_name_does_not_reach_the_terminal_as_it_is(desk: Desk) -> None
     screen = desk.on_a_terminal("--no-name", keys=b"n\n")[1]
     assert b"a\\x1b[2K\\u202eb/.rosml.toml wants:" in screen and b"\x1b[2K" not in screen
 
-
-# ---- Targets of paths ------------------------------------------------------------------------------------------------
 
 LINKED = [
     *("-v ./x:/x", "-v ./deep/x/in:/x", "-v .x:/x", "-v ./there:/x:O,upperdir={here}/x,workdir=/w"),

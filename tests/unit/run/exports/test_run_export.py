@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 import yaml
-from hypothesis import assume, example, given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from fakes import units
@@ -22,7 +22,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli.run.export import KINDS
 from rosml.run import words
 from rosml.run.context import Host
-from rosml.run.exports import compose, description, devcontainer
+from rosml.run.exports import compose, description, devcontainer, quadlet
 from rosml.run.words import split
 
 QUIET = ("--no-tz", "--no-it", "--no-user")
@@ -40,9 +40,6 @@ def service(*line: str, **facts: Any) -> dict[str, Any]:
 def container(*line: str, **facts: Any) -> dict[str, Any]:
     """The file for editors."""
     return dict(json.loads(devcontainer.text(call(*line, kind="devcontainer", **facts))))
-
-
-# ---- Compose ---------------------------------------------------------------------------------------------------------
 
 
 def test_a_whole_file_for_compose() -> None:
@@ -86,16 +83,24 @@ def test_a_whole_file_for_compose() -> None:
         (["--env-file", "/home/jo/robot/a", "--stop-timeout=5"], {"env_file": [{"path": "./a", "format": "raw"}], "stop_grace_period": "5s"}),
         (["--label-file", "a", "--label-file=../b"], {"label_file": ["./a", "/home/jo/b"]}),
         (["--entrypoint", "a b", "--volumes-from=other"], {"entrypoint": ["a b"], "volumes_from": ["container:other"]}),
-        *((["--gpus", gpus], {"deploy": {"resources": {"reservations": {"devices": [{"driver": "nvidia", "capabilities": ["gpu"], **expected}]}}}})
-            for gpus, expected in [
-                ("all", {"count": "all"}), ("2", {"count": 2}), ('"device=0,1"', {"device_ids": ["0", "1"]}),
-                ('all,"capabilities=utility,compute"', {"count": "all", "capabilities": ["gpu", "utility", "compute"]}),
-            ]
-        ),
     ],
 )  # fmt: skip
 def test_an_option_as_compose_has_it(typed: list[str], expected: dict[str, Any]) -> None:
     assert service(*QUIET, *typed, "x").items() >= expected.items()
+
+
+@pytest.mark.parametrize(
+    ("typed", "expected"),
+    [
+        ("all", {"count": "all"}),
+        ("2", {"count": 2}),
+        ('"device=0,1"', {"device_ids": ["0", "1"]}),
+        ('all,"capabilities=utility,compute"', {"count": "all", "capabilities": ["gpu", "utility", "compute"]}),
+    ],
+)
+def test_gpus_of_compose(typed: str, expected: dict[str, Any]) -> None:
+    (device,) = service("--gpus", typed, "x")["deploy"]["resources"]["reservations"]["devices"]
+    assert device == {"driver": "nvidia", "capabilities": ["gpu"], **expected}
 
 
 def test_podmans_entry_has_no_word_in_compose() -> None:
@@ -157,28 +162,9 @@ def test_options_that_compose_refuses(typed: list[str], says: str) -> None:
     assert says in caught.value.message and caught.value.remedy and caught.value.exit_code == 2
 
 
-TEXT = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"))
-
-
-@settings(max_examples=300, deadline=None)
-@given(st.lists(TEXT), TEXT)
-@example(["$HOME", "$$"], "a ${b}")
-def test_words_are_the_same_in_the_file(command: list[str], value: str) -> None:
-    """`$`, quotes, spaces, numbers and letters of any language; compose reads two `$` as one."""
-    assume(command[:1] != [""])
-    written = service("-e", f"A={value}", "x", *command)
-    assert [word.replace("$$", "$") for word in written.get("command", [])] == command
-    assert written["environment"]["A"].replace("$$", "$") == value
-    assert "$" not in written["environment"]["A"].replace("$$", "")
-    assert container("-e", f"A={value}", "x")["containerEnv"]["A"] == value
-
-
 def test_what_another_reader_of_yaml_takes_for_a_number_has_quotes() -> None:
     lines = compose.text(call("x", "1e3", "0o7", "no", "~", "0x1", ".5", "1:30", "-1")).splitlines()
     assert [line for line in lines if line.startswith("    - ") and line[6] not in "\"'"] == []
-
-
-# ---- Editors ---------------------------------------------------------------------------------------------------------
 
 
 def test_a_whole_file_for_editors() -> None:
@@ -287,9 +273,6 @@ def test_windows_are_those_of_whoever_starts_it(tmp_path: Path) -> None:
         assert "network_mode" not in written
 
 
-# ---- The command -----------------------------------------------------------------------------------------------------
-
-
 @pytest.fixture
 def desk(tmp_path: Path) -> Desk:
     return docker_desk(tmp_path)
@@ -357,9 +340,6 @@ def test_a_wrong_export(desk: Desk, line: list[str], says: str) -> None:
     assert not desk.called("run") and not desk.called("pull")
 
 
-# ---- Texts of strangers ----------------------------------------------------------------------------------------------
-
-
 def of_compose(document: str) -> list[str]:
     (only,) = yaml.safe_load(document)["services"].values()
     assert "$" not in str(only).replace("$$", "")
@@ -377,7 +357,7 @@ def of_editors(document: str) -> list[str]:
 def of_systemd(document: str) -> list[str]:
     argv = units.argv(document)
     values = (next(word for word in argv if word.startswith(name))[len(name) :] for name in ("--env=A=", "--label=l="))
-    return [*argv[-2:], *values]
+    return [*argv[argv.index("docker.io/library/img") + 1 :], *values]
 
 
 def of_kubernetes(document: str) -> list[str]:
@@ -390,18 +370,39 @@ def of_kubernetes(document: str) -> list[str]:
 READERS = {"compose": of_compose, "devcontainer": of_editors, "quadlet": of_systemd, "kubernetes": of_kubernetes}
 
 
+def check_texts(kind: str, command: list[str], value: str) -> None:
+    """Read as the file's system reads it, or refused. A cluster has no labels of containers, and an editor starts no command."""
+    label = [] if kind == "kubernetes" else ["--label", f"l={value}"]
+    command = [] if kind == "devcontainer" else ["ros2", *command]
+    try:
+        document = text("-e", f"A={value}", *label, "img", *command, kind=kind)
+    except RosmlError as error:
+        texts = "".join([value, *command])
+        assert error.remedy and ("${" in value if kind == "devcontainer" else kind == "quadlet")
+        assert kind != "quadlet" or {"", ";"} & {*command} or any(map(quadlet.is_lost, texts)), error
+        return
+    assert READERS[kind](document) == [*command, *[value] * (1 + len(label) // 2)]
+
+
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("hostile", HOSTILE)
 def test_texts_that_mean_something_in_a_file_are_only_texts(hostile: str, kind: str) -> None:
-    """Read as the file's system reads it, or refused. A cluster has no labels of containers, and an editor starts no command."""
-    label = [] if kind == "kubernetes" else ["--label", f"l={hostile}"]
-    command = [] if kind == "devcontainer" else ["ros2", hostile]
-    try:
-        document = text("-e", f"A={hostile}", *label, "img", *command, kind=kind)
-    except RosmlError as error:
-        assert kind == "devcontainer" and "${" in hostile and error.remedy
-        return
-    assert READERS[kind](document) == [*command, *[hostile] * (1 + len(label) // 2)]
+    check_texts(kind, [hostile], hostile)
+
+
+TEXT = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"))
+HARD = st.text(
+    st.sampled_from("$%\\\"'; \n\t\r{}()hn0xa:,=#[]é\x7f\x01\x80\x85\xa0\u2028\ufeff\ufffe~`@!+-"), max_size=8
+)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@settings(max_examples=200, deadline=None)
+@given(st.lists(HARD | TEXT, max_size=5), HARD | TEXT)
+@example(["y", "on", "0x1", "1e3", "1:30", "$(HOME)", "~", "null", "- a", "#", "$$"], "a: ${b}\n$$(X)")
+@example(["%h%%", "a;", "-x", "\\", "'", '"', "${X}"], "a\n[Service]\nExecStart=/bin/sh %n \\")
+def test_any_text_is_the_same_in_the_file(kind: str, command: list[str], value: str) -> None:
+    check_texts(kind, command, value)
 
 
 @pytest.mark.parametrize("variable", ["${localEnv:TOKEN}", "a${ localEnv:A}", "${env:A}", "${containerEnv:PATH}"])

@@ -7,10 +7,8 @@ from typing import Any
 import kubernetes_validate
 import pytest
 import yaml
-from hypothesis import assume, example, given, settings
-from hypothesis import strategies as st
 
-from fakes.exports import call, text
+from fakes.exports import text
 from rosml.base.errors import RosmlError
 from rosml.run import words
 from rosml.run.context import Health
@@ -249,31 +247,3 @@ def test_a_gpu_for_an_image_that_was_made_for_one(
 @pytest.mark.parametrize(("name", "expected"), [("Robot_1", "robot-1"), ("a" * 80, "a" * 63), ("1.2", "1-2")])
 def test_names_are_those_of_a_cluster(name: str, expected: str) -> None:
     assert file("--name", name, "x")["metadata"]["name"] == expected
-
-
-TEXT = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"))
-
-
-def read(text: str) -> str:
-    """A text as Kubernetes reads it: https://kubernetes.io/docs/tasks/inject-data-application/define-interdependent-environment-variables/."""
-    assert "$" not in text.replace("$$", "")
-    return text.replace("$$", "$")
-
-
-@settings(max_examples=100, deadline=None)
-@given(st.lists(TEXT), TEXT)
-@example(["y", "on", "0x1", "1e3", "1:30", "$(HOME)", "", "~", "null", "- a", "#"], "a: b\n$$(X)")
-def test_words_are_the_same_in_the_file(command: list[str], value: str) -> None:
-    assume(command[:1] != [""])
-    document = text("-e", f"A={value}", "--annotation", f"a={value}", "x", *command, kind="kubernetes")
-    spec = yaml.safe_load(document)["spec"]["template"]
-    (only,) = spec["spec"]["containers"]
-    assert [read(word) for word in only.get("args", [])] == command
-    assert read(only["env"][-1]["value"]) == value and spec["metadata"]["annotations"] == {"a": value}
-
-
-def test_a_shell_ends_at_once() -> None:
-    assert description.lacking_command(call("x", kind="kubernetes"))
-    assert not description.lacking_command(call("x", "sleep", "1", kind="kubernetes"))
-    assert not description.lacking_command(call("x", kind="kubernetes", command=("ros2", "launch")))
-    assert not description.lacking_command(call("--entrypoint", "/start", "x", kind="kubernetes"))

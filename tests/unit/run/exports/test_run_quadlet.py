@@ -12,8 +12,6 @@ from typing import Any
 
 import pytest
 from conftest import ROOT
-from hypothesis import example, given, settings
-from hypothesis import strategies as st
 
 from fakes import units
 from fakes.exports import ME, PODMAN, text
@@ -196,25 +194,6 @@ def test_a_unit_that_is_refused(line: list[str], says: str) -> None:
     with pytest.raises(RosmlError) as caught:
         unit(*line, id="b" * 64)
     assert says in caught.value.message and caught.value.remedy and caught.value.exit_code == 2
-
-
-TEXT = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"))
-HARD = st.text(
-    st.sampled_from("$%\\\"'; \n\t\r{}()hn0xa:,=#[]é\x7f\x01\x80\x85\xa0\u2028\ufeff\ufffe~`@!+-"), max_size=8
-)
-
-
-@settings(max_examples=300, deadline=None)
-@given(st.lists(HARD | TEXT, max_size=5), HARD | TEXT)
-@example(["$HOME", "$$", "%h%%", "a;", "-x", "#", "\\", "'", '"', "${X}"], "a ${b}\n[Service]\nExecStart=/bin/sh %n \\")
-def test_words_arrive_or_are_refused(command: list[str], value: str) -> None:
-    try:
-        argv = units.argv(unit("-e", f"A={value}", "-l", f"l={value}", "--log-opt", f"tag={value}", "x", *command))
-    except RosmlError as error:
-        assert {"", ";"} & {*command} or any(map(quadlet.is_lost, "".join([*command, value]))), error
-        return
-    assert argv[len(argv) - len(command) :] == command
-    assert {f"--env=A={value}", f"--label=l={value}", f"--log-opt=tag={value}"} <= {*argv}
 
 
 @pytest.mark.skipif(not GENERATOR, reason="no podman with a generator of units is here")

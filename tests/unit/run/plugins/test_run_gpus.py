@@ -241,9 +241,6 @@ def test_a_library_that_was_not_built_for_the_gpu(machine: Machine) -> None:
     assert not gpu.gpu(machine.context("--no-gpu", image=image, engine=NVIDIA)).notes
 
 
-# ---- The command -----------------------------------------------------------------------------------------------------
-
-
 @pytest.fixture
 def desk(tmp_path: Path) -> Desk:
     return docker_desk(tmp_path)

@@ -68,9 +68,6 @@ def test_the_default_rmw_of_an_image(robot: Robot) -> None:
     assert places.running(Container("c", "running", environment=zenoh, labels=label), False).rmw == "rmw_zenoh_cpp"
 
 
-# ---- The options of a container --------------------------------------------------------------------------------------
-
-
 @pytest.mark.parametrize(
     ("hosts", "environment", "words", "added"),
     [
@@ -180,9 +177,6 @@ def test_a_network_without_its_memory(
     """Fast DDS takes nodes on the same network for those of one machine, and hands them data in a memory that they lack."""
     notes = ros.ros(robot.call(*words, environment=environment)).notes
     assert [text[: len(remedy)] for _, text in notes] == ([remedy] if remedy else [])
-
-
-# ---- Findings --------------------------------------------------------------------------------------------------------
 
 
 def unwell(findings: Mapping[str, check.Finding], *passed: str) -> dict[str, str]:
@@ -389,9 +383,6 @@ def test_a_shell_without_the_same_ros_has_no_say(robot: Robot) -> None:
     for environment in ({}, {"ROS_DISTRO": "noetic"}):
         robot.environment = environment
         assert robot.check("--ros-network", "-e", "ROS_DOMAIN_ID=7")["domain"].state == "good"
-
-
-# ---- The command -----------------------------------------------------------------------------------------------------
 
 
 @pytest.fixture

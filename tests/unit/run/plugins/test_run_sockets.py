@@ -250,9 +250,6 @@ def test_an_engine_that_is_a_snap(session: Machine) -> None:
             concern(session.context(f"--{option}", engine=snap))
 
 
-# ---- This machine ----------------------------------------------------------------------------------------------------
-
-
 @contextlib.contextmanager
 def listening(path: Path) -> Iterator[None]:
     """Listens at a path, which may be longer than an address can be."""

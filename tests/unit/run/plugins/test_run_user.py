@@ -184,9 +184,6 @@ def test_selinux_lets_a_container_read_mounts_of_rosml(words: list[str], selinux
     assert ("label=disable" in user_options(*words, engine=replace(ROOTLESS_PODMAN, selinux=selinux))) == expected
 
 
-# ---- Options of every container --------------------------------------------------------------------------------------
-
-
 def test_the_options_by_default() -> None:
     assert added() == ["--rm", *CONTRACT, "-e", "TZ=Europe/Berlin"]
     terminal = replace(PERSON, terminal=True, reads=True)
