@@ -160,7 +160,9 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
     defaults.require(replace(line, image=desk.name(place)), files.project)
     record, facts = _image(program, place, values, key, line, build)
     started = files.under(replace(line, image=record.image))
-    _start(replace(started, rosml=tuple(word for word in started.rosml if word[2:] not in BUILT_IN)), caller, facts, record)
+    _start(
+        replace(started, rosml=tuple(word for word in started.rosml if word[2:] not in BUILT_IN)), caller, facts, record
+    )
 
 
 def _place(folder: str) -> Path:
