@@ -116,8 +116,9 @@ def lacking(line: Line, container: Container) -> tuple[str, str] | None:
     place = places.running(container, rootless=False)
     if not line.asks(ROS_NETWORK) or place.network == place.ipc == places.HOST:
         return None
-    has = f"its network is {place.network}, its shared memory {place.ipc or places.ALONE}"
-    return f"{container.name} runs without --{ROS_NETWORK}: {has}", f"{_other(line)} starts another container with it"
+    networks = f"its network is {place.network}, its shared memory {place.ipc or places.ALONE}"
+    text = f"{container.name} runs without --{ROS_NETWORK}: {networks}"
+    return text, f"{_other(line)} starts another container with it"
 
 
 def check_state(program: str, container: Container) -> None:

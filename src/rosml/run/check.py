@@ -56,37 +56,36 @@ def findings(context: Context, place: Place, others: Sequence[Place], installed:
     here = places.machine(context)
     if here and here.version != place.version:
         here = None
-    results = [network(context, place)]
-    results += [*ros_1(context, place)] if place.version == "1" else [*ros_2(context, place, here, installed)]
-    return [*results, *(other(place, container) for container in others)]
+    of_ros = ros_1(context, place) if place.version == "1" else ros_2(context, place, here, installed)
+    return [network(context, place), *of_ros, *(other(place, container) for container in others)]
 
 
 def network(context: Context, place: Place) -> Finding:
     """Which nodes the container's nodes reach."""
-    engine, name, what = context.engine, place.network, "network"
+    engine, name, subject = context.engine, place.network, "network"
     if name == HOST:
         if engine.machine == "docker-desktop":
-            return Finding(what, PROBLEM, "that of Docker Desktop's virtual machine", "Docker Engine, on Linux")
+            return Finding(subject, PROBLEM, "that of Docker Desktop's virtual machine", "Docker Engine, on Linux")
         if not context.is_here:
             remedy = f"rosml run --check on {engine.machine} says more"
-            return Finding(what, ADVICE, f"that of {engine.machine}", remedy)
+            return Finding(subject, ADVICE, f"that of {engine.machine}", remedy)
         if engine.rootless and not engine.podman:
             text = "that of docker without root, and not this machine's"
-            return Finding(what, PROBLEM, text, "docker with root, or podman: ROSML_ENGINE=podman")
-        return Finding(what, GOOD, "this machine's")
+            return Finding(subject, PROBLEM, text, "docker with root, or podman: ROSML_ENGINE=podman")
+        return Finding(subject, GOOD, "this machine's")
     if name == "none":
-        return Finding(what, PROBLEM, "none", f"leave out --network none, or {WHOLE}")
+        return Finding(subject, PROBLEM, "none", f"leave out --network none, or {WHOLE}")
     if name.startswith("container:"):
-        return Finding(what, GOOD, f"that of the container {name.partition(':')[2]}")
+        return Finding(subject, GOOD, f"that of the container {name.partition(':')[2]}")
     if place.middleware == "zenoh" and place.version == "2":
-        return Finding(what, GOOD, f"{name}; nodes reach each other by a router")
+        return Finding(subject, GOOD, f"{name}; nodes reach each other by a router")
     if name == ALONE:
-        return Finding(what, PROBLEM, "its own alone: no others see its nodes", WHOLE)
+        return Finding(subject, PROBLEM, "its own alone: no others see its nodes", WHOLE)
     if place.version == "2" and place.environment.get("ROS_STATIC_PEERS"):
         text = "containers on it see its nodes, and peers on this machine that have its address in ROS_STATIC_PEERS"
-        return Finding(what, ADVICE, f"{name}: {text}", WHOLE)
+        return Finding(subject, ADVICE, f"{name}: {text}", WHOLE)
     text = "containers on it see its nodes; this machine and others do not"
-    return Finding(what, PROBLEM if name == "bridge" else ADVICE, f"{name}: {text}", WHOLE)
+    return Finding(subject, PROBLEM if name == "bridge" else ADVICE, f"{name}: {text}", WHOLE)
 
 
 def ros_2(context: Context, place: Place, here: Place | None, installed: Sequence[str]) -> Iterator[Finding]:
@@ -152,22 +151,22 @@ def router(context: Context, place: Place) -> Finding:
 
 def discovery_range(context: Context, place: Place) -> Finding:
     """How far nodes look for others."""
-    what, range_ = "discovery range", place.discovery_range
+    subject, range_ = "discovery range", place.discovery_range
     local_only = place.environment.get("ROS_LOCALHOST_ONLY") == "1"
     change = "-e ROS_LOCALHOST_ONLY=0" if local_only else "-e ROS_AUTOMATIC_DISCOVERY_RANGE=SUBNET"
     if range_ not in RANGES:
         remedy = f"ROS_AUTOMATIC_DISCOVERY_RANGE is one of {', '.join(RANGES)}"
-        return Finding(what, PROBLEM, f"{range_!r} is none", remedy)
+        return Finding(subject, PROBLEM, f"{range_!r} is none", remedy)
     if range_ == "OFF":
-        return Finding(what, PROBLEM, "OFF: no node finds another", change)
+        return Finding(subject, PROBLEM, "OFF: no node finds another", change)
     if range_ != "LOCALHOST":
-        return Finding(what, GOOD, range_)
+        return Finding(subject, GOOD, range_)
     if not place.joins_another:
-        return Finding(what, PROBLEM, "LOCALHOST, which is the container itself", f"{WHOLE}, or {change}")
+        return Finding(subject, PROBLEM, "LOCALHOST, which is the container itself", f"{WHOLE}, or {change}")
     if local_only and place.middleware == "cyclonedds" and not _flags(context, "lo") & MULTICAST:
         text = "ROS_LOCALHOST_ONLY, and Cyclone DDS of older releases needs multicast on lo"
-        return Finding(what, ADVICE, text, "sudo ip link set lo multicast on")
-    return Finding(what, GOOD, "LOCALHOST: this machine alone")
+        return Finding(subject, ADVICE, text, "sudo ip link set lo multicast on")
+    return Finding(subject, GOOD, "LOCALHOST: this machine alone")
 
 
 def memory(place: Place) -> Finding | None:
@@ -196,22 +195,22 @@ def owner(place: Place, here: Place | None) -> Iterator[Finding]:
 
 def size(context: Context, place: Place) -> Finding:
     """The size of the shared memory."""
-    what, remedy = places.SHM, "--shm-size 1g"
+    subject, remedy = places.SHM, "--shm-size 1g"
     if (place.ipc == HOST and not context.is_here) or place.ipc.startswith("container:"):
-        return Finding(what, GOOD, f"that of {context.engine.machine if place.ipc == HOST else place.ipc}")
+        return Finding(subject, GOOD, f"that of {context.engine.machine if place.ipc == HOST else place.ipc}")
     if place.ipc == HOST:
         remedy, bytes_ = f"sudo mount -o remount,size=1g {places.SHM}", 0
         with suppress(OSError):
             status = os.statvfs(context.host.path(places.SHM))
             bytes_ = status.f_frsize * status.f_blocks
     elif (bytes_ := _bytes(typed := context.line.value("shm-size"))) < 0:
-        return Finding(what, PROBLEM, f"{_short(typed)} is no size: no container starts", remedy)
+        return Finding(subject, PROBLEM, f"{_short(typed)} is no size: no container starts", remedy)
     if not bytes_:
-        return Finding(what, GOOD, "of unknown size")
+        return Finding(subject, GOOD, "of unknown size")
     text = f"{bytes_ // MIB} MiB"
     if bytes_ > SMALL_MEMORY:
-        return Finding(what, GOOD, text)
-    return Finding(what, ADVICE, f"{text}: images and point clouds fill it, and so do PyTorch's workers", remedy)
+        return Finding(subject, GOOD, text)
+    return Finding(subject, ADVICE, f"{text}: images and point clouds fill it, and so do PyTorch's workers", remedy)
 
 
 def _short(text: str) -> str:
@@ -300,30 +299,30 @@ def _master(context: Context, place: Place, uri: str, local: bool, address: tupl
 
 
 def _address(context: Context, place: Place, local: bool) -> Finding:
-    what, remedy = "address", "-e ROS_IP=ADDRESS with one of this machine's that the others reach"
+    subject, remedy = "address", "-e ROS_IP=ADDRESS with one of this machine's that the others reach"
     variable = next((x for x in ("ROS_HOSTNAME", "ROS_IP") if place.environment.get(x)), "")
     if not variable:
         text = f"{context.host.name}, by which others must find this machine"
-        return Finding(what, GOOD, "this machine's name") if local else Finding(what, ADVICE, text, remedy)
+        return Finding(subject, GOOD, "this machine's name") if local else Finding(subject, ADVICE, text, remedy)
     text = f"{variable}={place.environment[variable]}"
     if _is_local(place.environment[variable]) and not local:
-        return Finding(what, PROBLEM, f"{text}, which other machines take for themselves", remedy)
+        return Finding(subject, PROBLEM, f"{text}, which other machines take for themselves", remedy)
     if not context.host.owns(place.environment[variable]):
-        return Finding(what, PROBLEM, f"{text}, which is not this machine", remedy)
-    return Finding(what, GOOD, text)
+        return Finding(subject, PROBLEM, f"{text}, which is not this machine", remedy)
+    return Finding(subject, GOOD, text)
 
 
 def other(place: Place, running: Place) -> Finding:
     """Whether the container and another running one reach each other."""
-    what = f"container {running.name}"
+    subject = f"container {running.name}"
     if running.version != place.version:
         remedy = "only a bridge between ROS 1 and ROS 2 connects them"
-        return Finding(what, ADVICE, f"it has ROS {running.version}", remedy)
+        return Finding(subject, ADVICE, f"it has ROS {running.version}", remedy)
     apart = [*_apart(place, running)]
     if apart:
         texts, remedies = zip(*apart, strict=True)
-        return Finding(what, PROBLEM, "; ".join(texts), "; ".join(dict.fromkeys(remedies)))
-    return Finding(what, GOOD, "nothing is in the way")
+        return Finding(subject, PROBLEM, "; ".join(texts), "; ".join(dict.fromkeys(remedies)))
+    return Finding(subject, GOOD, "nothing is in the way")
 
 
 def _apart(place: Place, running: Place) -> Iterator[tuple[str, str]]:

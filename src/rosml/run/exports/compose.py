@@ -118,8 +118,10 @@ def _part(option: Option, call: Call) -> dict[str, Any]:
     return nested(NAMES[name], [value] if name in REPEATABLE else value)
 
 
-def _without(option: Option, what: str) -> RosmlError:
-    return RosmlError(f"{what} has no counterpart in a file of compose", f"leave out --{option.name}", exit_code=2)
+def _without(option: Option, option_text: str) -> RosmlError:
+    return RosmlError(
+        f"{option_text} has no counterpart in a file of compose", f"leave out --{option.name}", exit_code=2
+    )
 
 
 def _network(option: Option, call: Call) -> dict[str, Any]:

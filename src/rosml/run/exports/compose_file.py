@@ -59,16 +59,16 @@ def _read(file: Path) -> str:
         raise RosmlError(f"{file}: it is no text in UTF-8", "write it in UTF-8", exit_code=2) from None
 
 
-def added(text: str, content: Mapping[str, Mapping[str, Any]], what: str) -> str:
+def added(text: str, content: Mapping[str, Mapping[str, Any]], text_name: str) -> str:
     """A text of compose with more content; the same text if it has all of that. `content` has, by the names of `SECTIONS`, names and
-    their values; `what` is the text's name in messages."""
+    their values; `text_name` is for messages."""
     if len(text) > MOST_CHARACTERS:
-        raise RosmlError(f"{what}: has more than {MOST_CHARACTERS >> 10} kB", BY_HAND, exit_code=2)
-    events, newline = _events(text, what), "\r\n" if "\r\n" in text else "\n"
+        raise RosmlError(f"{text_name}: has more than {MOST_CHARACTERS >> 10} kB", BY_HAND, exit_code=2)
+    events, newline = _events(text, text_name), "\r\n" if "\r\n" in text else "\n"
     if not events:
         ending = newline if text and text[-1] not in "\r\n" else ""
         return text + ending + yaml_text.text(content).replace("\n", newline)
-    sections = [_section(text, events, name, content[name], what) for name in SECTIONS if content.get(name)]
+    sections = [_section(text, events, name, content[name], text_name) for name in SECTIONS if content.get(name)]
     edits = sorted(
         filter(None, sections), key=lambda edit: (edit.line, edit.event)
     )  # at the same line: the inner one first
@@ -79,12 +79,12 @@ def added(text: str, content: Mapping[str, Mapping[str, Any]], what: str) -> str
         lines.insert(edit.line, edit.text.replace("\n", newline))
         signatures[edit.event : edit.event + edit.replaced] = map(_signature, edit.events)
     after = "".join(lines)
-    if [*map(_signature, _events(after, what))] != signatures:
-        raise RosmlError(f"{what}: the addition would change what is there", BY_HAND, exit_code=2)
+    if [*map(_signature, _events(after, text_name))] != signatures:
+        raise RosmlError(f"{text_name}: the addition would change what is there", BY_HAND, exit_code=2)
     return after
 
 
-def _events(text: str, what: str) -> list[Any]:
+def _events(text: str, text_name: str) -> list[Any]:
     """The events of a text; none if it is empty. It must be a mapping with a line for each key."""
     try:
         events = [*untrusted.yaml_events(text)]
@@ -96,14 +96,14 @@ def _events(text: str, what: str) -> list[Any]:
             if mark
             else "it has a character that YAML does not allow"
         )
-        raise RosmlError(f"{what} is no YAML: {why}", "correct it", exit_code=2) from None
+        raise RosmlError(f"{text_name} is no YAML: {why}", "correct it", exit_code=2) from None
     starts = [event for event in events if isinstance(event, yaml.DocumentStartEvent)]
     if not starts:
         return []
     top = events[2]
     odd = any(isinstance(event, yaml.DocumentEndEvent) and event.explicit for event in events)
     if len(starts) > 1 or odd or not isinstance(top, yaml.MappingStartEvent) or top.flow_style:
-        raise RosmlError(f"{what}: it is no file of compose with a line for each key", BY_HAND, exit_code=2)
+        raise RosmlError(f"{text_name}: it is no file of compose with a line for each key", BY_HAND, exit_code=2)
     return events
 
 
@@ -135,7 +135,7 @@ def _pairs(events: Sequence[Any], start: int) -> dict[str, tuple[int, int]]:
     return pairs
 
 
-def _section(text: str, events: Sequence[Any], name: str, additions: Mapping[str, Any], what: str) -> Edit | None:
+def _section(text: str, events: Sequence[Any], name: str, additions: Mapping[str, Any], text_name: str) -> Edit | None:
     """The addition to a section of the file; None if it has all already."""
     span = _pairs(events, 2).get(name)
     if span is None:
@@ -153,14 +153,14 @@ def _section(text: str, events: Sequence[Any], name: str, additions: Mapping[str
         if not _alike(_value(section, key), untrusted.yaml_node(yaml_text.text(additions[key]))):
             kind = name.removesuffix("s")
             remedy = "--name gives the service another name" if name == "services" else f"rename that {kind}"
-            raise RosmlError(f"{what} has a {kind} {key} already, with other content", remedy, exit_code=2)
+            raise RosmlError(f"{text_name} has a {kind} {key} already, with other content", remedy, exit_code=2)
     missing = {key: value for key, value in additions.items() if key not in present}
     if not missing:
         return None
     if not isinstance(start, yaml.MappingStartEvent) or start.flow_style:
-        raise RosmlError(f"{what}: {name} has no line for each key", BY_HAND, exit_code=2)
+        raise RosmlError(f"{text_name}: {name} has no line for each key", BY_HAND, exit_code=2)
     if start.anchor:
-        why = f"{what}: {name} has the anchor {start.anchor}, so the addition may be elsewhere as well"
+        why = f"{text_name}: {name} has the anchor {start.anchor}, so the addition may be elsewhere as well"
         raise RosmlError(why, BY_HAND, exit_code=2)
     return _last(text, events, value, after, missing)
 

@@ -189,8 +189,8 @@ def _number(name: str, call: Call) -> int:
     return int(value)
 
 
-def _without(what: str, remedy: str) -> RosmlError:
-    return RosmlError(f"{what} has no counterpart in a file of Kubernetes", remedy, exit_code=2)
+def _without(option_text: str, remedy: str) -> RosmlError:
+    return RosmlError(f"{option_text} has no counterpart in a file of Kubernetes", remedy, exit_code=2)
 
 
 def _part(option: Option) -> Fields:

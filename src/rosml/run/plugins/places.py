@@ -19,7 +19,6 @@ WITHOUT_RANGE = ("dashing", "eloquent", "foxy", "galactic", "humble")
 DEFAULT_RMW = "rmw_fastrtps_cpp"
 RMW_LABEL = "io.rosml.rmw"
 
-
 WITHOUT_SHARED_MEMORY = "-e FASTDDS_BUILTIN_TRANSPORTS=UDPv4"
 
 
@@ -32,16 +31,7 @@ ROS_NETWORK = "ros-network"
 """rosml's option for this machine's network. The engines take one network."""
 
 OWN_NETWORK = (
-    "network",
-    "net",
-    "publish",
-    "publish-all",
-    "link",
-    "ip",
-    "ip6",
-    "mac-address",
-    "network-alias",
-    "net-alias",
+    *("network", "net", "publish", "publish-all", "link", "ip", "ip6", "mac-address", "network-alias", "net-alias"),
 )
 
 
