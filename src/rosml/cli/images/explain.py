@@ -52,10 +52,10 @@ def main(name: str, addons: str, matrix: Path, as_json: bool) -> None:
     from rosml.images.image_set.explain import explained
 
     if addons:
-        found = _with_addons(load.load(matrix, ROOT), name, addons)
+        explanation = _with_addons(load.load(matrix, ROOT), name, addons)
     else:
-        found = explained(load.load_one(matrix, name, ROOT), name)
-    terminal.echo(json.dumps(found.to_json(), indent=2, ensure_ascii=False) if as_json else found.text)
+        explanation = explained(load.load_one(matrix, name, ROOT), name)
+    terminal.echo(json.dumps(explanation.to_json(), indent=2, ensure_ascii=False) if as_json else explanation.text)
 
 
 def _with_addons(image_set: ImageSet, name: str, text: str) -> Explained:
@@ -71,25 +71,25 @@ def _with_addons(image_set: ImageSet, name: str, text: str) -> Explained:
     from rosml.machine.services import Services
     from rosml.registry import references
 
-    wanted = addons.names_in(text)
-    known = image_set.by_tag(name) or image_set.by_target.get(name)
-    if known and not references.has_registry(name):
-        return explain.with_addons(image_set.matrix, known, name, wanted)
+    addon_names = addons.names_in(text)
+    published_image = image_set.by_tag(name) or image_set.by_target.get(name)
+    if published_image and not references.has_registry(name):
+        return explain.with_addons(image_set.matrix, published_image, name, addon_names)
     services = Services.load(ROOT, required=False)
     try:
         base = app_base.find(name, services, ())
     except RosmlError:
-        if known:
-            return explain.with_addons(image_set.matrix, known, name, wanted)
+        if published_image:
+            return explain.with_addons(image_set.matrix, published_image, name, addon_names)
         raise
     try:
-        found = addons.onto(base, text, services, ())
+        choices = addons.onto(base, text, services, ())
     except RosmlError as error:
         if error.exit_code != 2:
             raise
         return Explained(name, False, (f"{error.message}; {error.remedy}",))
-    if not found.addons:
-        return Explained(name, True, (f"{name} has {listed(wanted)} already",))
-    parts = [part.rpartition(":")[2] for part in found.addons.parts]
-    lines = explain.added(found.name, wanted, parts, addons.repository(found))
-    return Explained(name, True, tuple(lines), explain.can_have(name, wanted))
+    if not choices.addons:
+        return Explained(name, True, (f"{name} has {listed(addon_names)} already",))
+    parts = [part.rpartition(":")[2] for part in choices.addons.parts]
+    lines = explain.added(choices.name, addon_names, parts, addons.repository(choices))
+    return Explained(name, True, tuple(lines), explain.can_have(name, addon_names))

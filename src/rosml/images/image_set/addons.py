@@ -70,15 +70,7 @@ SHOWN = 3
 
 @dataclass(frozen=True)
 class Onto:
-    """An image that is to get add-ons.
-
-    Attributes:
-        name: as people wrote it.
-        distribution: the name of its distribution.
-        component: the name of its component.
-        framework: the name of its framework.
-        stack: the name of its stack; empty if it has none.
-    """
+    """An image that is to get add-ons, by the name that people wrote and its place on the axes. Without a stack, that is empty."""
 
     name: str
     distribution: str
@@ -94,12 +86,7 @@ class Onto:
 
 @dataclass(frozen=True)
 class Wanted:
-    """What a name of `--addons` means.
-
-    Attributes:
-        addon: the add-on; empty if the matrix has none of that name.
-        stack: the stack at its end; empty if there is none.
-    """
+    """What a name of `--addons` means: an add-on, and the stack at its end. Each is empty if the name has none."""
 
     addon: str
     stack: str
@@ -114,11 +101,7 @@ def read(matrix: Matrix, name: str) -> Wanted:
 
 
 def refused(matrix: Matrix, onto: Onto, name: str) -> RosmlError | None:
-    """Why an image cannot have an add-on, with what to do instead; None if it can, or if the matrix does not know the image.
-
-    Args:
-        name: as `read` takes it.
-    """
+    """Why an image cannot have an add-on, with what to do instead; None if it can, or if the matrix does not know the image."""
     addon = read(matrix, name)
     if not addon.addon:
         text, _, remedy = unknown("add-on", name, matrix.addons).partition("; ")
@@ -183,11 +166,8 @@ def _tag(matrix: Matrix, onto: Onto, framework: str, stack: str) -> str:
 
 
 def parts(matrix: Matrix, distribution: str, addon: str, stack: str, present: Collection[str] = ()) -> list[str]:
-    """The names of an add-on's parts and of those that they need, in the order in which they are joined.
-
-    Args:
-        present: the parts that the image has already, without a stack: `common`.
-    """
+    """The names of an add-on's parts and of those that they need, in the order of a join. `present` has parts of the image, without a
+    stack: `common`."""
     python = matrix.operating_systems[matrix.distributions[distribution].os].python
     kinds = rules.parts(matrix, matrix.carrying(rules.plain(matrix), addon), matrix.stacks[stack])
     return [

@@ -18,15 +18,8 @@ ARCHIVE = "archive"
 
 @dataclass(frozen=True)
 class AptRepository:
-    """An apt repository of ROS.
-
-    Attributes:
-        channel: live, testing, snapshot or final; archive if it is not ROS's own.
-        day: the day of a snapshot; empty otherwise.
-        address: its address in the image's apt source.
-        codename: its suite.
-        components: the components of the suite.
-    """
+    """An apt repository of ROS. The channel is live, testing, snapshot or final; or archive if it is not ROS's own. Only snapshots have
+    a day."""
 
     channel: str
     day: str
@@ -36,16 +29,8 @@ class AptRepository:
 
 
 def of(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -> AptRepository | None:
-    """The apt repository of a distribution; None if the operating system has ROS's packages itself.
-
-    Args:
-        matrix: the matrix.
-        name: the distribution.
-        environ: variables; `ROS_CHANNEL` and `ROS_SNAPSHOT` choose another repository for this call.
-
-    Raises:
-        RosmlError: there is no such repository (exit code 2).
-    """
+    """The apt repository of a distribution, by the matrix or ROS_CHANNEL and ROS_SNAPSHOT; None if the operating system has ROS's
+    packages itself."""
     distribution = matrix.distributions[name]
     channel, day = environ.get("ROS_CHANNEL", ""), environ.get("ROS_SNAPSHOT", "")
     if distribution.apt is None:

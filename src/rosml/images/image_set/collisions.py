@@ -42,7 +42,6 @@ def _names(matrix: Matrix, images: Iterable[Place], parts: Iterable[Part]) -> It
 
 
 def _unusable_defaults(matrix: Matrix, images: Sequence[Place]) -> Iterator[tuple[KeyPath, str]]:
-    """Default stacks and targets that do not exist."""
     carried = {(image.kind.distribution, image.kind.stack) for image in images if len(image.kind.parts) > 1}
     for name, distribution in matrix.distributions.items():
         stacks = {stack for row, stack in carried if row == name and stack}

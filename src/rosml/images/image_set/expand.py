@@ -27,14 +27,8 @@ def with_images(matrix: Matrix, images: Iterable[Place], parts: tuple[Part, ...]
 
 @dataclass(frozen=True)
 class Kind:
-    """The common facts of a distribution's images with one framework and stack.
-
-    Attributes:
-        facts: the framework, with the parts of the add-on.
-        covering: the frameworks whose images have all these parts and more, those with the most first.
-        short: whether the images have the short tags.
-        addon: the add-on that the images have besides; empty if none.
-    """
+    """The common facts of a distribution's images with one framework and stack. `covering`: the frameworks whose images have all these
+    parts and more, those with the most first."""
 
     distribution: str
     framework: str
@@ -72,12 +66,7 @@ class Kind:
 
 @dataclass(frozen=True)
 class Place:
-    """An image before its facts are worked out: its place on the axes and its names.
-
-    Attributes:
-        kind: what it has in common with others.
-        tags: as in `Image`; none if it only tests its add-on.
-    """
+    """An image before its facts are worked out: its place on the axes and its names. It has no tags if it only tests its add-on."""
 
     kind: Kind
     component: str
@@ -307,7 +296,6 @@ def _tests(matrix: Matrix, name: str, component: str, kind: Kind) -> _Tests:
 
 @rules.remembered
 def _chain(matrix: Matrix, name: str, component: str) -> tuple[str, ...]:
-    """A component and those below it, the lowest first, without those that the distribution lacks."""
     return tuple(link for link in rules.chain(matrix, component) if link in matrix.distributions[name].present)
 
 
@@ -352,13 +340,11 @@ def _has_every_framework(matrix: Matrix, name: str) -> bool:
 
 
 def _wheels(matrix: Matrix) -> Iterator[Wheels]:
-    """The wheels of each distribution without Debian packages."""
     for name in matrix.distributions:
         yield from _wheels_of(matrix, name, rules.built_for(matrix, name))
 
 
 def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tuple[Wheels, ...]:
-    """The wheels of a distribution on some architectures; none if its ROS comes from Debian packages."""
     distribution = matrix.distributions[name]
     python = matrix.operating_systems[distribution.os].python
     locks = tuple(names.lock_path(name, architecture, python, names.ROS) for architecture in architectures)

@@ -55,16 +55,8 @@ class Explained:
 
 
 def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.environ) -> Explained:
-    """Explains why an image, part or group exists, or why not.
-
-    Args:
-        image_set: all images and parts.
-        name: the name of the image, part or group.
-        environ: variables; `ROS_CHANNEL` and `ROS_SNAPSHOT` choose another apt repository of ROS for this call.
-
-    Raises:
-        RosmlError: the name cannot be read (exit code 2); the message names similar ones. Or there is no such repository.
-    """
+    """Explains why an image, part or group exists, or why not. ROS_CHANNEL and ROS_SNAPSHOT of `environ` choose another apt repository
+    of ROS."""
     if not name:
         raise RosmlError("no image is named", remedy="name one: rosml explain jazzy-robot", exit_code=2)
     tagged = image_set.by_tag(name)
@@ -128,12 +120,7 @@ def _no_part(matrix: Matrix, name: str) -> str | None:
 
 
 def with_addons(matrix: Matrix, image: Image, name: str, addon_names: Sequence[str]) -> Explained:
-    """Whether an image can have add-ons, and how it gets them; or why not, and what to take instead.
-
-    Args:
-        name: the user's name of the image.
-        addon_names: names of add-ons, with a stack if the image has none: `onnx-cpu`.
-    """
+    """Whether an image can have add-ons, and how it gets them; or why not, and what to take instead."""
     onto = addons.Onto(name, image.distribution, image.component, image.framework, image.stack or "")
     for item in addon_names:
         if refused := addons.refused(matrix, onto, item):
@@ -165,14 +152,7 @@ def can_have(name: str, addon_names: Sequence[str]) -> str:
 
 
 def added(image: str, addon_names: Sequence[str], parts: Sequence[str], place: str = "REGISTRY/part") -> Iterator[str]:
-    """Lines about the two ways in which an image gets add-ons.
-
-    Args:
-        image: its name for commands.
-        addon_names: names of add-ons.
-        parts: the names of parts that it lacks.
-        place: the repository of parts.
-    """
+    """Lines about the two ways in which an image gets add-ons. `parts` are those that it lacks, in the repository `place`."""
     yield f"it lacks {'the part' if len(parts) == 1 else 'the parts'} {listed(parts)}"
     yield f"for your packages: rosml containerize --base-image {image} --addons {','.join(addon_names)}"
     complete = image if "/" in image else f"REGISTRY/{image}"
@@ -233,12 +213,7 @@ def _with_addon(matrix: Matrix, name: str) -> str | None:
 
 
 def _not_chosen(matrix: Matrix, base: Matrix, name: str) -> str | None:
-    """What a set does not choose of the matrix that it extends, and an image needs; None if that is nothing.
-
-    Args:
-        matrix: the set's.
-        base: the matrix that it extends.
-    """
+    """What a set does not choose of the matrix that it extends, and an image needs; None if that is nothing."""
     for reading in _readings(base, name):
         row, component, stack = reading.distribution, reading.component, reading.stack
         distribution = matrix.distributions.get(row)
@@ -277,11 +252,7 @@ def _in_our_words(matrix: Matrix, name: str) -> str:
 
 
 def image(image_set: ImageSet, name: str) -> Image:
-    """The image of a target, or of one of its tags, with or without the registry: `ros-torch:jazzy-base-cu128`.
-
-    Raises:
-        RosmlError: there is none (exit code 2); the message says why, or names similar ones.
-    """
+    """The image of a target, or of one of its tags, with or without the registry: `ros-torch:jazzy-base-cu128`."""
     if name not in image_set.by_target and not image_set.by_tag(name) and (reason := why_not(image_set, name)):
         raise RosmlError(reason, remedy="see all with: rosml list", exit_code=2)
     return image_set.image(name)
@@ -336,7 +307,6 @@ def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
 
 
 def _where_from(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator[str]:
-    """ROS's apt repository: that of matrix.yaml, or another one for this call."""
     this_time = bool(environ.get("ROS_CHANNEL") or environ.get("ROS_SNAPSHOT"))
     archive = apt_repository.of(matrix, image.distribution, environ)
     if archive and (this_time or not image.stack):
@@ -385,7 +355,6 @@ def _containerize(image: Image, addon: addons.Fitting) -> str:
 
 
 def _taken(matrix: Matrix, image: Image) -> Iterator[str]:
-    """The add-ons that an image with a tag can take, each with its commands."""
     fitting = [*addons.fitting(matrix, image)] if image.tags else []
     if fitting and not image.stack:
         called = listed([item.called for item in fitting])

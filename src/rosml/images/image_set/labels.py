@@ -118,23 +118,14 @@ def about_gpus(facts: Mapping[str, str]) -> dict[str, str]:
 
 
 def licensed(entries: Iterable[PartEntry], own_licences: str = "") -> dict[str, str]:
-    """The labels about licences of a part, or of an image with parts.
-
-    Args:
-        own_licences: the licences of the image without the parts.
-    """
+    """The labels about licences of a part, or of an image with parts and `own_licences`."""
     all_entries = list(entries)
     spdx = [own_licences, *(entry.licence.spdx for entry in all_entries if entry.licence)]
     return together(spdx, [entry.name for entry in all_entries if entry.restricted])
 
 
 def together(licences: Iterable[str], restricted: Iterable[str]) -> dict[str, str]:
-    """The labels about licences of things that become one.
-
-    Args:
-        licences: SPDX expressions of these things; of a thing that says none, it is empty.
-        restricted: their restricted parts.
-    """
+    """The labels about licences of things that become one: their SPDX expressions, which may be empty, and their restricted parts."""
     terms = (term.strip() for text in licences for term in (f"({text})" if " OR " in text else text).split(" AND "))
     values = {
         LICENSES: " AND ".join(dict.fromkeys(filter(None, terms))),
@@ -156,14 +147,8 @@ def of_part(
     frameworks: Mapping[str, Sequence[PartEntry]],
     addons: Mapping[str, Sequence[PartEntry]] | None = None,
 ) -> dict[str, str]:
-    """The labels of a part, without those of `about_gpus`.
-
-    Args:
-        python: its version of Python; `any` if the part fits every Python.
-        brought: its software.
-        frameworks: the parts of every framework that takes this one.
-        addons: the add-on whose own part it is, with the parts that this one needs.
-    """
+    """The labels of a part, without those of `about_gpus`. `frameworks` and `addons` take it, each with all its parts. `python` may be
+    `any`."""
     pythons = "any Python" if python == ANY_PYTHON else f"Python {python}"
     return {
         TITLE: names.part_name(entry.name, stack, python),
@@ -207,11 +192,7 @@ def _pairs(environment: Mapping[str, str]) -> str:
 
 
 def brought_by(labels: Mapping[str, str]) -> Iterator[Brought]:
-    """The software of a part with these labels.
-
-    Raises:
-        ValueError: the label is damaged.
-    """
+    """The software of a part with these labels. Raises a ValueError if the label is damaged."""
     for item in labels.get(BRINGS, "").split():
         name, short, title = item.split(":")
         if version := labels.get(PREFIX + name):
@@ -227,11 +208,8 @@ def smallest_first(frameworks: Mapping[str, Sequence[object]]) -> list[str]:
 
 
 def combinations(text: str) -> dict[str, tuple[str, ...]]:
-    """The parts of every framework or add-on that takes a part, from its label: the smallest first.
-
-    Raises:
-        ValueError: the label is damaged.
-    """
+    """The parts of every framework or add-on that takes a part, from its label: the smallest first. Raises a ValueError if it is
+    damaged."""
     pairs = (item.split("=") for item in text.split())
     return {name: tuple(part.removesuffix("*") for part in parts.split(",")) for name, parts in pairs}
 

@@ -22,26 +22,14 @@ BEGIN = "-----BEGIN PGP PUBLIC KEY BLOCK-----"
 
 
 def load(file: Path, root: Path = ROOT) -> ImageSet:
-    """Reads, validates and expands a matrix, and finds its locks.
-
-    Args:
-        file: the matrix, or a set that extends it.
-        root: the project's root, which has the matrix that a set extends, the locks and the keys of archives.
-
-    Raises:
-        RosmlError: the file cannot be read (exit code 2).
-        InputError: with all problems that can be seen at once, each with its place (exit code 2).
-    """
+    """Reads, validates and expands a matrix, or a set that extends it, and finds its locks. Raises an InputError with all problems that
+    can be seen at once."""
     return _locked(_checked(extends.read(file, root / "matrix.yaml"), root).expanded(), root)
 
 
 def load_one(file: Path, name: str, root: Path = ROOT) -> ImageSet:
-    """The same image set as `load` gives, but with one image, those that may run its tests, and its parts alone, if a name is that of
-    an image. All names are checked; raises as `load` does.
-
-    Args:
-        name: a target, the name of its test, or a tag.
-    """
+    """As `load`, but with one image, those that may run its tests, and its parts alone, if the name is a target, a test or a tag. All
+    names are checked."""
     checked = _checked(extends.read(file, root / "matrix.yaml"), root)
     tag = name.rpartition("/")[2] if ":" in name else ""
     names = {name, name.removesuffix("-test")}
@@ -54,7 +42,6 @@ def load_one(file: Path, name: str, root: Path = ROOT) -> ImageSet:
 
 
 def _of_few(image_set: ImageSet, root: Path) -> ImageSet:
-    """An image set of a few images with their locks, and with the parts of these alone."""
     locks = {lock for image in image_set.images for lock in image.locks}
     locked = _locked(image_set, root, locks)
     used = {name for image in locked.images for name in image.parts}
@@ -63,13 +50,7 @@ def _of_few(image_set: ImageSet, root: Path) -> ImageSet:
 
 @dataclass(frozen=True)
 class _Checked:
-    """A matrix without problems.
-
-    Attributes:
-        places: the places of its images.
-        parts: its parts.
-        base: of a set, the matrix that it extends.
-    """
+    """A matrix without problems. `base` is the matrix that a set extends."""
 
     matrix: Matrix
     places: tuple[Place, ...]
@@ -82,11 +63,7 @@ class _Checked:
 
 
 def _checked(document: Document, root: Path | None = None) -> _Checked:
-    """A matrix as `extends.read` gives it, after all checks.
-
-    Args:
-        root: the folder with the keys of archives; None if they do not matter.
-    """
+    """A matrix after all checks. `root` has the keys of archives; None if they do not matter."""
     matrix = validate(document)
     images = tuple(places(matrix))
     parts = parts_of(matrix, images)

@@ -31,11 +31,6 @@ def current_locks(image_set: ImageSet, root: Path, only: Collection[str] | None 
 
 
 def _text(file: Path) -> str:
-    """A lock's text.
-
-    Raises:
-        RosmlError: it exists and cannot be read, unlike a lock that nobody has made yet.
-    """
     try:
         text = file.read_bytes().decode(errors="replace")
     except OSError as error:
@@ -49,12 +44,7 @@ def unusable_locks(image_set: ImageSet, root: Path, present: Collection[str]) ->
 
 
 def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collection[str] = ()) -> ImageSet:
-    """An image set that knows which of its images and parts lack a lock.
-
-    Args:
-        present: the usable locks.
-        unusable: locks that exist, but are not usable.
-    """
+    """An image set that knows which of its images and parts lack a lock, or have one that is not usable."""
     absent = image_set.locks.difference(present)
     lost = absent - missing.waiting(image_set.matrix, image_set.parts)
 
@@ -84,11 +74,7 @@ def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collecti
 
 
 def locks(root: Path) -> frozenset[str]:
-    """The existing locks, relative to the project's root.
-
-    Raises:
-        RosmlError: the folder cannot be read, unlike locks that nobody has made yet.
-    """
+    """The existing locks, relative to the project's root."""
     folder = root / "locks"
     if folder.exists() and not os.access(folder, os.R_OK | os.X_OK):
         raise RosmlError(f"{shown(folder)} cannot be read", "make it a folder that you can read")

@@ -61,11 +61,7 @@ def reason(image: Image) -> str:
 
 
 def _described(locks: Sequence[str], damaged: Collection[str], names: Callable[[list[str]], str]) -> str:
-    """The problems of locks in words: first missing ones, then unusable ones.
-
-    Args:
-        names: makes text of several locks.
-    """
+    """The problems of locks in words: first missing ones, then unusable ones."""
     kinds = (
         ("missing", [lock for lock in locks if lock not in damaged]),
         ("damaged, or not of the release that matrix.yaml names", [lock for lock in locks if lock in damaged]),

@@ -53,16 +53,8 @@ class Part:
 
 @dataclass(frozen=True)
 class Wheels:
-    """The wheels of ROS itself, for a distribution without Debian packages.
-
-    Attributes:
-        distribution: the distribution.
-        os: its operating system.
-        python: the version of that system's Python.
-        requirements: the requirements in the matrix.
-        architectures: the architectures of its images.
-        locks: the lock for each architecture, relative to the project's root.
-    """
+    """The wheels of ROS itself, for a distribution without Debian packages. `locks` has the lock of each architecture, relative to the
+    project's root."""
 
     distribution: str
     os: str
@@ -166,11 +158,7 @@ class Image:
 
 @dataclass(frozen=True)
 class ImageSet:
-    """All images and parts of a matrix, in the order of the file.
-
-    Attributes:
-        base: of a set of somebody's own, the matrix that it extends.
-    """
+    """All images and parts of a matrix, in the order of the file. `base` is the matrix that a set extends."""
 
     matrix: Matrix
     images: tuple[Image, ...]
@@ -211,11 +199,7 @@ class ImageSet:
         return {name: tuple(targets) for name, targets in members.items() if targets}
 
     def image(self, target: str) -> Image:
-        """The image of a target, or of one of its tags, with or without the registry: `ros-torch:jazzy-base-cu128`.
-
-        Raises:
-            RosmlError: there is none (exit code 2); the message names similar ones. `explain.image` says why there is none.
-        """
+        """The image of a target, or of one of its tags, with or without the registry. `explain.image` says why there is none."""
         if image := self.by_target.get(target) or self.by_tag(target):
             return image
         raise RosmlError(unknown("image", target, self.by_target), remedy="see all with: rosml list", exit_code=2)

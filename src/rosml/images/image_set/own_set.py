@@ -21,12 +21,7 @@ GITHUB = "https://github.com/"
 
 @dataclass(frozen=True)
 class Upstream:
-    """Where rosml itself is.
-
-    Attributes:
-        repository: its address, for git.
-        commit: the whole hash of the commit to take.
-    """
+    """Where rosml itself is: its address for git, and the whole hash of a commit."""
 
     repository: str
     commit: str
@@ -63,8 +58,8 @@ def chosen(
 
     Args:
         image_set: rosml's own.
-        distributions: those to keep; that of rosml's default image if none is names.
-        frameworks: those to keep beside images without one; that of rosml's default image if none is names.
+        distributions: those to keep; that of rosml's default image if none is named.
+        frameworks: those to keep beside images without one; that of rosml's default image if none is named.
         registry: where images go.
         source: the address of the set's repository; may be empty.
         accelerator: `cuda` or `cpu`: only stacks with it; both if empty.

@@ -32,23 +32,14 @@ UNREADABLE = "of an unreadable name"
 
 @dataclass(frozen=True)
 class Declared:
-    """Where the owner of a set says that restricted parts may go.
-
-    Attributes:
-        private: hosts of private registries, each with its port or for all ports.
-        rights: places in public registries: a host and a path.
-    """
+    """Where the owner of a set says that restricted parts may go: hosts of private registries, and places in public ones, a host and a
+    path."""
 
     private: tuple[str, ...] = ()
     rights: tuple[str, ...] = ()
 
     @classmethod
     def of(cls, matrix: Matrix, environment: Mapping[str, str] = os.environ) -> Declared:
-        """What a matrix and the variable declare.
-
-        Raises:
-            RosmlError: the variable names no registry, or a public one (exit code 2).
-        """
         words = environment.get(VARIABLE, "").lower().split()
         for host in words:
             if not re.fullmatch(HOST, host):
@@ -70,11 +61,7 @@ class Declared:
 
 
 def of_this_machine() -> Declared:
-    """What the set or the matrix of this rosml declares, and the variable.
-
-    Raises:
-        RosmlError: one of them is wrong (exit code 2).
-    """
+    """What the set or the matrix of this rosml declares, and the variable."""
     return Declared.of(validate(extends.read(MATRIX)))
 
 

@@ -16,11 +16,7 @@ NVIDIA = ("gpu", "nvidia")
 
 
 def select(image_set: ImageSet, only: Sequence[str]) -> tuple[Image, ...]:
-    """The images that patterns of targets or tags, or groups, name; all images without any of these.
-
-    Raises:
-        RosmlError: a pattern names no image (exit code 2).
-    """
+    """The images that patterns of targets or tags, or groups, name; all images without any of these."""
     if not only:
         return image_set.images
     targets: set[str] = set()
@@ -37,11 +33,6 @@ def select(image_set: ImageSet, only: Sequence[str]) -> tuple[Image, ...]:
 
 
 def require_architectures(image_set: ImageSet, names: Iterable[str]) -> None:
-    """Checks names of architectures.
-
-    Raises:
-        RosmlError: the matrix has no architecture of that name (exit code 2).
-    """
     architectures = image_set.matrix.architectures
     for name in names:
         if name not in architectures:
@@ -56,12 +47,8 @@ def groups_of(image_set: ImageSet) -> list[str]:
 
 
 def members(image_set: ImageSet, groups: Sequence[str] = ()) -> tuple[Image, ...]:
-    """The images that are in all given groups, in the order of the matrix, including those without a lock. An architecture is the
-    group of its images.
-
-    Raises:
-        RosmlError: there is no such group (exit code 2).
-    """
+    """The images that are in all given groups, in the order of the matrix, including those without a lock. An architecture is the group
+    of its images."""
     groups_by_name = groups_of(image_set)
     for name in groups:
         if name not in groups_by_name:
@@ -108,11 +95,7 @@ def none_in(image_set: ImageSet, groups: Sequence[str]) -> str:
 
 
 def architecture_of(image_set: ImageSet, platform: str) -> str:
-    """The architecture of a platform such as `linux/arm64`; `arm64` and `aarch64` mean that, too.
-
-    Raises:
-        RosmlError: the matrix has no such platform (exit code 2).
-    """
+    """The architecture of a platform such as `linux/arm64`; `arm64` and `aarch64` mean that, too."""
     by_platform = {facts.platform: name for name, facts in image_set.matrix.architectures.items()}
     name = our_word(image_set.matrix, platform.lower().removeprefix("linux/").removesuffix("/v8"))
     if name not in image_set.matrix.architectures:

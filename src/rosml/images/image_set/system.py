@@ -138,13 +138,11 @@ def choose(
 
 
 def _called(row: str, facts: Distribution) -> set[str]:
-    """All names of a distribution."""
     ros_name = facts.ros_distro or row
     return {row, ros_name, *facts.aliases, *([CALLED] if ros_name == DEBIAN else [])}
 
 
 def _unfit(matrix: Matrix, what: str, distributions: dict[str, Distribution], request: str) -> RosmlError:
-    """The error for a distribution that is not for the system."""
     every = {name: facts for name, facts in matrix.distributions.items() if request in _called(name, facts)}
     has = listed([name for name, facts in distributions.items() if not facts.experimental] or [*distributions])
     if not every:

@@ -39,16 +39,7 @@ CHOSEN = {
 
 
 def read(file: Path, base: Path = ROOT / "matrix.yaml") -> Document:
-    """Reads a matrix, or a set as the whole matrix that it stands for.
-
-    Args:
-        file: the file.
-        base: rosml's own matrix.
-
-    Raises:
-        RosmlError: a file cannot be read (exit code 2).
-        InputError: it is not YAML, or it chooses what rosml does not have (exit code 2).
-    """
+    """A matrix, or a set as the whole matrix that it stands for. `base` is rosml's own matrix."""
     document = source.read(file)
     if not isinstance(document.data, Mapping) or KEY not in document.data:
         return document
@@ -59,11 +50,7 @@ def read(file: Path, base: Path = ROOT / "matrix.yaml") -> Document:
 
 
 def extended(document: Document, base: Document) -> Document:
-    """The whole matrix of a set. Its problems have places in the set's file.
-
-    Raises:
-        InputError: the set chooses what the base does not have, and does not describe it either.
-    """
+    """The whole matrix of a set. Its problems have places in the set's file."""
     choice = {key: value for key, value in document.data.items() if key != KEY}
     data = dict(base.data)
     for key, value in choice.items():
@@ -158,7 +145,6 @@ def _addons(addons: Mapping[str, Any], data: Mapping[str, Any]) -> dict[str, Any
 
 
 def _name(part: Any) -> str:
-    """The name of a part; empty if it has none."""
     name = _mapping(part).get("name")
     return name if isinstance(name, str) else ""
 
@@ -176,11 +162,7 @@ def _numbers(document: Document, parts: Sequence[Any]) -> dict[int, int]:
 
 
 def _places(document: Document, numbers: Mapping[int, int]) -> dict[KeyPath, Place]:
-    """The places of the set's values in the whole matrix.
-
-    Args:
-        numbers: as `_numbers` gives them.
-    """
+    """The places of the set's values in the whole matrix."""
     places: dict[KeyPath, Place] = {}
     for path, place in document.places.items():
         if path[:1] == ("parts",) and len(path) > 1 and isinstance(path[1], int):
@@ -272,7 +254,6 @@ def _lost(data: Mapping[str, Any], base: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _names(facts: Any) -> tuple[str, ...]:
-    """The parts of a framework."""
     parts = _mapping(facts).get("parts")
     return tuple(name for name in parts if isinstance(name, str)) if isinstance(parts, tuple) else ()
 
@@ -291,8 +272,6 @@ def _with_stacks(facts: Any, chosen: tuple[str, ...]) -> Any:
 
 
 def _forget_architectures(data: dict[str, Any], gone: set[str]) -> None:
-    """Leaves out architectures wherever the base names them."""
-
     def remaining(value: Any) -> Any:
         if isinstance(value, tuple):
             return tuple(item for item in value if item not in gone)

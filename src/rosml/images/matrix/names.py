@@ -47,11 +47,7 @@ def image_target(
     stack: str | None = None,
     addons: Iterable[str] = (),
 ) -> str:
-    """The bake target of an image: `jazzy-base`, `jazzy-base-torch-cu128`, `jazzy-base-torch-onnx-cu128`.
-
-    Args:
-        framework: left out if it is none.
-    """
+    """The bake target of an image: `jazzy-base`, `jazzy-base-torch-cu128`, `jazzy-base-torch-onnx-cu128`."""
     parts_of_name = [name for name in (framework, *addons) if name != NONE]
     return "-".join([distribution, component, *([*parts_of_name, stack] if stack else [])])
 
@@ -62,11 +58,7 @@ def main_tag(distribution: str, component: str, stack: str | None = None) -> str
 
 
 def spelled_tag(main: str, versions: Mapping[str, str]) -> str:
-    """A main tag with versions: `jazzy-base-cu128-torch2.10.0`; unchanged without any.
-
-    Args:
-        versions: versions by their names in tags: `{"torch": "2.10.0", "tf": "2.20.0"}`.
-    """
+    """A main tag with versions by their names in tags: `jazzy-base-cu128-torch2.10.0`; unchanged without any."""
     return "-".join([main, *(f"{name}{version}" for name, version in versions.items())])
 
 

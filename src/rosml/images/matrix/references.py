@@ -42,7 +42,6 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _each(path: KeyPath, kind: str, used: Iterable[str], allowed: Iterable[str]) -> Iterator[Finding]:
-    """Names of a list that must exist."""
     allowed = dict.fromkeys(allowed)
     for index, name in enumerate(used):
         if name not in allowed:
@@ -459,7 +458,6 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
 
 
 def _has(stack: Stack, part: PartEntry) -> bool:
-    """Whether images of a stack have a part, if their framework takes it."""
     fits = part.accelerator in (None, stack.accelerator) and part.of_generation(stack.cuda)
     return fits and part.release in (None, *stack.releases)
 

@@ -424,7 +424,6 @@ def _architectures(matrix: Matrix, distribution: str, framework: Framework, stac
 
 
 def _available(matrix: Matrix, framework: Framework, stack: str) -> Iterator[tuple[str, Sequence[str]]]:
-    """The releases that a framework takes of a stack, and the architectures with wheels for each."""
     facts = matrix.stacks[stack]
     wheels = {
         family: matrix.releases[family][version].architectures(stack) for family, version in facts.releases.items()

@@ -16,16 +16,8 @@ from rosml.images.matrix.model import Matrix
 def render(
     model: type[BaseModel] = Matrix, module: str = "src/rosml/images/matrix/model.py", read: bool = False
 ) -> str:
-    """The JSON Schema (draft 2020-12) of a model.
-
-    Args:
-        model: the model.
-        module: its module.
-        read: the schema is for readers of a file that this program writes, so keys that a later version adds are no errors.
-
-    Raises:
-        RosmlError: Python dropped the docstrings, of which some become descriptions.
-    """
+    """The JSON Schema (draft 2020-12) of a model. With `read`, it is for readers of a file that this program writes: keys that a later
+    version adds are no errors."""
     if sys.flags.optimize > 1:
         raise RosmlError("Python runs without docstrings, which the schema shows", "unset PYTHONOPTIMIZE", exit_code=2)
     schema = {
@@ -52,7 +44,6 @@ def _plain(schema: Any, names: bool = False) -> Any:
 
 
 def _open(schema: Any) -> Any:
-    """A schema that allows other keys."""
     if isinstance(schema, dict):
         return {key: _open(value) for key, value in schema.items() if (key, value) != ("additionalProperties", False)}
     return [_open(item) for item in schema] if isinstance(schema, list) else schema

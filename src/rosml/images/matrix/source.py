@@ -67,17 +67,7 @@ LEAST = "version: 1"
 
 
 def read(file: Path, option: str = "--matrix", least: str = LEAST) -> Document:
-    """Reads a YAML file.
-
-    Args:
-        file: the file.
-        option: the option of the command line that names another file.
-        least: what the file needs at least, for the message about an empty one.
-
-    Raises:
-        RosmlError: the file is missing or unreadable (exit code 2).
-        InputError: it is not UTF-8 or not the YAML described above; with every problem that could be found.
-    """
+    """Reads a YAML file. `option` names another file on the command line; `least` is what the file needs at least, for messages."""
     name = shown(file)
     try:
         content = file.read_bytes()
@@ -127,7 +117,6 @@ def _decode(content: bytes, name: str) -> str:
 
 
 def _end(text: str) -> tuple[int, int]:
-    """Line and column after a text."""
     return text.count("\n") + 1, len(text) - text.rfind("\n")
 
 

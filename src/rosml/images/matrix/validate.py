@@ -21,16 +21,8 @@ Top = TypeVar("Top", bound=BaseModel)
 
 
 def checked(document: Document, top: type[Top], meaning: Mapping[str, str]) -> Top:
-    """The model of a document.
-
-    Args:
-        document: the file.
-        top: the model of the whole file.
-        meaning: the model's own patterns in words.
-
-    Raises:
-        InputError: with every problem of its structure.
-    """
+    """The model of a document. `meaning` has the model's own patterns in words. Raises an InputError with every problem of its
+    structure."""
     problems = list(document.problems)
     try:
         model = top.model_validate(document.data)
@@ -62,11 +54,7 @@ _OTHER_VERSION = "take the rosml of the checkout that the file is from, or a new
 
 
 def validate(document: Document) -> Matrix:
-    """The matrix of a document.
-
-    Raises:
-        InputError: with every problem of its structure; if there is none, with every name that does not exist.
-    """
+    """The matrix of a document. Raises an InputError with every problem of its structure, or else every name that does not exist."""
     matrix = checked(document, Matrix, MEANING)
     if problems := [document.problem(path, text) for path, text in findings(matrix)]:
         raise InputError(document.name, problems)
@@ -96,7 +84,6 @@ def _first_errors(details: Sequence[Any]) -> list[Any]:
 
 
 def _complaint(error: Any, value: Any, written: str, meaning: Mapping[str, str], example: str) -> str:
-    """One sentence: what was expected, what was found, and a remedy."""
     kind, context, otherwise = error["type"], error.get("ctx", {}), error["msg"]
     if kind == "string_type":
         quoted = isinstance(value, (int, float, date)) and written
@@ -176,7 +163,6 @@ def _example(path: KeyPath, kind: str, top: type[BaseModel]) -> str:
 
 
 def _pattern(path: KeyPath, top: type[BaseModel]) -> str:
-    """The pattern of the text at `path`; empty if it has none."""
     model = _model(path[:-1], top) if path else None
     field = model.model_fields.get(str(path[-1])) if model else None
     patterns = (getattr(it, "pattern", None) for it in field.metadata) if field else iter(())
@@ -195,7 +181,6 @@ def _purpose(path: KeyPath, top: type[BaseModel]) -> str:
 
 
 def _model(path: KeyPath, top: type[BaseModel]) -> type[BaseModel] | None:
-    """The model of the value at `path` below `top`; None if there is none."""
     kind: Any = top
     for step in path:
         if isinstance(kind, type) and issubclass(kind, BaseModel):
