@@ -82,8 +82,8 @@ def addons(matrix: Matrix, scan: FolderScan, image: Image) -> tuple[list[str], l
         text = f"{mention.place} names {mention.word}"
         if stack:
             chosen.append(addon if image.stack else f"{addon}-{stack}")
-            text = f"{text}: containerize adds the add-on {addon}"
-            notes.append((text, "a Dockerfile gets it by the lines in docs/addons.md"))
+            advice = "a Dockerfile gets it by the lines in docs/addons.md"
+            notes.append((f"{text}: containerize adds the add-on {addon}", advice))
         else:
             notes.append((f"{text}, and {why}", _PIP))
     return chosen, notes
