@@ -31,7 +31,7 @@ def example(services: Services, namespace: str, say: Callable[[str], None]) -> t
     folder = ROOT / "examples/ros1"
     say("build the example")
     started = time.monotonic()
-    built = build.App(folder, app_inputs.values(options, folder, {}), {}, services, say).build()
+    built = build.build_images(build.new_call(folder, app_inputs.values(options, folder, {}), {}, services, say))
     return built.images[0].reference, time.monotonic() - started
 
 

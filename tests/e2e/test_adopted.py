@@ -104,8 +104,8 @@ RUN test -e /root/.cache/model -a -e /tmp/sdk/licence -a -e /var/log/sdk.log -a 
     source.write_text(source.read_text() + f"// {secrets.token_hex()}\n")
     said: list[str] = []
     fresh = dataclasses.replace(services, builder=beside.builder)
-    again = build.App(folder, app_inputs.values(options, folder, {}), {}, fresh, said.append).build()
-    assert again.tests.count == 2
+    again = build.build_images(build.new_call(folder, app_inputs.values(options, folder, {}), {}, fresh, said.append))
+    assert again.tests.target.count == 2
     assert ran(services, name) == {"sources", "built", "tested", "app-files"}, "ROS is not installed again"
 
 

@@ -233,26 +233,25 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
 
     said: list[str] = []
     fresh = dataclasses.replace(services, builder=beside.builder)
-    app = build.App(folder, app_inputs.values(options, folder, {}), {}, fresh, said.append)
-    again = app.build()
+    app = build.new_call(folder, app_inputs.values(options, folder, {}), {}, fresh, said.append)
+    again = build.build_images(app)
     assert {image.target: image.digest for image in again.images}["run"] == first["run"]["digest"]
     assert f"nothing to build: {cache} has it" in said
-    assert again.tests.count == 2 and again.outcome.packages == ["compass"]
+    assert again.tests.target.count == 2 and again.outcome.packages == ["compass"]
     log = services.state / f"log/containerize-{NAMESPACE}+cached@latest-images.log"
     assert "RUN" not in log.read_text(), "no step at all"
 
     source.write_text(source.read_text().replace('"west"', '"WEST"'))
     with pytest.raises(RosmlError, match="1 of 2 tests failed; no image was made") as caught:
-        app.build()
+        build.build_images(app)
     assert "Compass.Quarters" in caught.value.message
     assert ran(services, name) == {"sources", "built", "tested", "app-files"}, "no apt, no identification, no upstream"
     with Registry(services.registry) as registry:
         assert registry.head(name, "latest") == first["run"]["digest"], "the tag stays where it was"
 
-    untested = build.App(
-        folder, app_inputs.values(options | {"tests": "false"}, folder, {}), {}, fresh, said.append
-    ).build()
-    assert untested.tests.count == 0, "no result of the build before"
+    app = build.new_call(folder, app_inputs.values(options | {"tests": "false"}, folder, {}), {}, fresh, said.append)
+    untested = build.build_images(app)
+    assert untested.tests.target.count == 0, "no result of the build before"
 
 
 def test_a_build_gets_no_results_of_another(services: Services, tmp_path: Path) -> None:

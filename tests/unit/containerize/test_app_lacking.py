@@ -15,7 +15,7 @@ from test_report import APP
 from fakes.http_registry import StandIn
 from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
-from rosml.containerize.build.app import unstarted
+from rosml.containerize.build.verdict import unstarted
 from rosml.images.builds.base_images import native_architecture
 from rosml.machine.services import Services
 

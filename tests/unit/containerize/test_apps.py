@@ -37,7 +37,9 @@ from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image import rosdep_index
 from rosml.containerize.build import app as build
 from rosml.containerize.build import bake_file as app_bake_file
-from rosml.containerize.build import desk, junit, stage_cache
+from rosml.containerize.build import dev_folder as desk
+from rosml.containerize.build import junit, stage_cache
+from rosml.containerize.build.result import Result, ShellImage
 from rosml.containerize.packages import manifest, workspace
 from rosml.containerize.sources import fetch as sources
 from rosml.images.builds import variables
@@ -638,9 +640,20 @@ def calls(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
     return seen
 
 
-def app(folder: Path, services: Services, **given: str) -> build.App:
+class App:
+    """A call that a test makes."""
+
+    def __init__(self, *args: Any, **options: Any) -> None:
+        self.call = build.new_call(*args, **options)
+        self.report = self.call.reports
+
+    def build(self) -> Result:
+        return build.build_images(self.call)
+
+
+def app(folder: Path, services: Services, **given: str) -> App:
     values = app_inputs.values({name.replace("_", "-"): value for name, value in given.items()}, folder, {})
-    return build.App(folder, values, {}, services, lambda line: None)
+    return App(folder, values, {}, services, lambda line: None)
 
 
 def test_images_are_joined_after_the_report_is_read(
@@ -678,9 +691,9 @@ def test_an_image_to_work_in_is_the_same_for_each_commit(
     for commit in ("a", "b"):
         monkeypatch.setattr(git, "commit", lambda *_, commit=commit: git.Commit(commit, ord(commit)))
         said = app_inputs.values({"base-image": "ros:jazzy", "command": "true"}, repository, {})
-        values = desk.values(dataclasses.replace(said, image_name="ghcr.io/me/robot", push=True), repository)
-        made = build.App(repository, values, {}, services, lambda line: None).desk()
-        assert made == build.Desk(f"{services.registry}/{desk.name(repository)}@sha256:1", False, None)
+        values = desk.image_values(dataclasses.replace(said, image_name="ghcr.io/me/robot", push=True), repository)
+        made = build.build_shell_image(build.new_call(repository, values, {}, services, lambda line: None))
+        assert made == ShellImage(f"{services.registry}/{desk.image_name(repository)}@sha256:1", False, None)
         seen.append(calls.pop())
     assert calls == [] and seen[0] == seen[1]
     assert seen[0]["name"] == names.DESK and seen[0]["dockerfile-inline"].startswith(f"FROM {names.DESK}\n")
@@ -696,7 +709,7 @@ def test_a_name_to_leave_out_that_no_package_has_is_a_warning(
     (repository / "docker/blacklisted-packages.txt").write_text("robott # once\nrobot\nof_another_time\n")
     values = app_inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
     said: list[str] = []
-    build.App(repository, values, {}, services, said.append).build()
+    App(repository, values, {}, services, said.append).build()
     told = "no package is called {}, which is to be left out; {}"
     assert [line for line in said if "left out" in line] == [
         told.format("robott", "did you mean 'robot'?"),
@@ -704,7 +717,7 @@ def test_a_name_to_leave_out_that_no_package_has_is_a_warning(
     ]
     (repository / "docker/before_dependency_identification.sh").write_text("true\n")
     said.clear()
-    build.App(repository, values, {}, services, said.append).build()
+    App(repository, values, {}, services, said.append).build()
     assert not [line for line in said if "left out" in line]
 
 
@@ -720,7 +733,7 @@ def test_submodules_that_nobody_fetched_are_named(
     )
     (repository / ".gitmodules").write_text(f"{sections}\turl = ../x\n")
     values = app_inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
-    build.App(repository, values, {}, services, said.append).build()
+    App(repository, values, {}, services, said.append).build()
     told = [line for line in said if "submodule" in line]
     remedy = "is not there: git submodule update --init --recursive"
     assert told == [f"the submodule {name} {remedy}" for name in ("src/empty", "src/gone away")]
@@ -736,10 +749,10 @@ def test_files_of_git_lfs_that_nobody_fetched_are_named(
         (repository / name).write_text("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 12345\n")
     (repository / "hand.dae").write_text("<COLLADA/>")
     values = app_inputs.values({"base-image": "ros:jazzy", "command": "true", "target": "run"}, repository, {})
-    build.App(repository, values, {}, services, said.append).build()
+    App(repository, values, {}, services, said.append).build()
     assert not [line for line in said if "Git LFS" in line], "a test of something that reads pointers, perhaps"
     (repository / ".gitattributes").write_text("*.dae filter=lfs diff=lfs merge=lfs -text\n")
-    build.App(repository, values, {}, services, said.append).build()
+    App(repository, values, {}, services, said.append).build()
     told = "arm.dae and 1 file more of Git LFS: only a pointer is there, and gets into the images: git lfs pull"
     assert [line for line in said if "Git LFS" in line] == [told]
 
@@ -827,7 +840,7 @@ def test_no_slim_image_is_made_where_no_base_image_is_found(
         (f"{local}/plain:1", f"{local}/plain:1 does not say which base image has no compilers"),
     ):
         given = {"base-image": name, "command": "true", "target": "run", "enable-slim": "true"}
-        build.App(repository, app_inputs.values(given, repository, {}), {}, services, said.append).build()
+        App(repository, app_inputs.values(given, repository, {}), {}, services, said.append).build()
         assert calls[-1]["name"] == "run"
         assert f"no slim image: {why}; name one with --slim-base-image" in said
     with pytest.raises(RosmlError, match="there is no image typo"):
@@ -860,9 +873,9 @@ def test_a_lock_file_that_is_written_anew_takes_nothing_from_a_cache(
     repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
-    monkeypatch.setattr(stage_cache.Cache, "found", lambda *_: pytest.fail("what is there may be old"))
+    monkeypatch.setattr(stage_cache.Cache, "stages", lambda *_: pytest.fail("what is there may be old"))
     given = {"base-image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache"}
-    build.App(repository, app_inputs.values(given, repository, {}), {}, services, lambda _: None, renew=True).build()
+    App(repository, app_inputs.values(given, repository, {}), {}, services, lambda _: None, renew=True).build()
 
 
 def test_another_ros_than_the_base_images_is_not_used(
@@ -872,7 +885,7 @@ def test_another_ros_than_the_base_images_is_not_used(
     for name, said in (("humble", ["ROS_DISTRO=humble is not used: the base image has jazzy"]), ("jazzy", [])):
         given = {"base-image": "ros:jazzy", "command": "true", "ros-distro": name}
         told: list[str] = []
-        build.App(repository, app_inputs.values(given, repository, {}), {}, services, told.append).build()
+        App(repository, app_inputs.values(given, repository, {}), {}, services, told.append).build()
         assert [line for line in told if line.startswith("ROS_DISTRO")] == said
 
 
@@ -886,34 +899,34 @@ def test_a_lock_file_is_written_then_followed(
     values = app_inputs.values({name.replace("_", "-"): value for name, value in options.items()}, repository, {})
     said: list[str] = []
 
-    built = build.App(repository, values, {}, services, said.append, renew=True).build()
+    built = App(repository, values, {}, services, said.append, renew=True).build()
     assert (Path(calls[0]["contexts"]["requests"]) / "renewed").exists(), "no step of an earlier build counts"
     file = repository / "containerize.lock"
     assert dict(built.summary())["lock"] == str(file)
     label = calls[1]["labels"][app_bake_file.LOCK]
     put(services, "rosml/ros:jazzy", platform, ROS_DISTRO="jazzy", NEWER="1")
     calls.clear()
-    again = build.App(repository, values, {}, services, said.append).build()
+    again = App(repository, values, {}, services, said.append).build()
     report, run, _ = calls
     assert not (Path(report["contexts"]["requests"]) / "renewed").exists()
     assert report["contexts"]["base"].endswith(f"@{digest}") and run["labels"][app_bake_file.LOCK] == label
     requests = Path(report["contexts"]["requests"])
     assert (requests / "lock/amd64/apt").read_text() == "tree 2.1\n"
     assert not (Path(report["contexts"]["target"]) / "target/containerize.lock").exists(), "it is no source"
-    assert again.locked == ""
+    assert again.lock_file == ""
 
     put(services, "small:1", platform, ROS_DISTRO="jazzy")
     slim = dataclasses.replace(values, enable_slim=True, slim_base_image=f"{services.registry}/small:1")
     with pytest.raises(RosmlError, match="the lock file has no slim image"):
-        build.App(repository, slim, {}, services, said.append).build()
+        App(repository, slim, {}, services, said.append).build()
 
     file.write_text("<<<<<<< HEAD\n")
-    build.App(repository, values, {}, services, said.append, renew=True).build()
+    App(repository, values, {}, services, said.append, renew=True).build()
     assert any("is no lock file" in text for text in said) and lock.read(file, repository), "what is damaged is mended"
 
     values = dataclasses.replace(values, base_image="ros:other")
     with pytest.raises(RosmlError, match="the lock file is of ros:jazzy, and not of ros:other"):
-        build.App(repository, values, {}, services, said.append).build()
+        App(repository, values, {}, services, said.append).build()
 
 
 def test_packages_that_use_the_apps_are_tested_before_there_is_an_image(
@@ -982,7 +995,7 @@ def test_a_cache_that_knows_the_dependencies_is_asked_for_no_lists_of_rosdep(
     asked: list[str] = []
     monkeypatch.setattr(rosdep_index.Finder, "find", lambda _self, named, *_: asked.append(named))
     known: dict[str, str] = {}
-    monkeypatch.setattr(stage_cache.Cache, "found", lambda *_: known)
+    monkeypatch.setattr(stage_cache.Cache, "stages", lambda *_: known)
     given = {"base_image": "ros:jazzy", "command": "true", "cache": f"{services.registry}/me/cache"}
     app(repository, services, **given).build()
     known["identified"] = f"{services.registry}/me/cache@sha256:{'1' * 64}"
@@ -1003,7 +1016,7 @@ def test_a_stage_that_a_cache_has_lost_is_built_although_its_report_is_there(
     def found(_: stage_cache.Cache, keys: stage_cache.Keys) -> dict[str, str]:
         return {name: f"{services.registry}/me/cache@sha256:{'1' * 64}" for name in keys.stages if name in there}
 
-    monkeypatch.setattr(stage_cache.Cache, "found", found)
+    monkeypatch.setattr(stage_cache.Cache, "stages", found)
     app(repository, services, **given).build()
     there |= {"identified", "environment", "runtime", "upstream-built", "app", "workspace"}
     app(repository, services, **given).build()
@@ -1027,11 +1040,11 @@ def test_a_mirrors_password_reaches_code_of_the_repository_only_if_the_person_sa
     given = {"base-image": "ros:jazzy", "command": "true"}
     if named:
         with pytest.raises(RosmlError, match=f"^{' and '.join(named)} has a password") as caught:
-            build.App(repository, app_inputs.values(given, repository, {}), mirrors, services, lambda _: None).build()
+            App(repository, app_inputs.values(given, repository, {}), mirrors, services, lambda _: None).build()
         assert caught.value.exit_code == 2 and "--allow-mirror-password" in caught.value.remedy and not calls
         assert "secret" not in caught.value.message + caught.value.remedy
     values = app_inputs.values({**given, "allow-mirror-password": "true"} if named else given, repository, {})
-    build.App(repository, values, mirrors, services, lambda _: None).build()
+    App(repository, values, mirrors, services, lambda _: None).build()
     assert calls
 
 
@@ -1315,7 +1328,7 @@ def test_ros_is_installed_on_a_base_that_has_none(
         found_values = app_inputs.values(
             {name.replace("_", "-"): value for name, value in given.items()}, repository, {}
         )
-        build.App(repository, found_values, {}, services, said.append).build()
+        App(repository, found_values, {}, services, said.append).build()
     assert "its entrypoint runs before each command: /opt/sdk/start.sh" in said
     assert [call["name"] for call in calls].count("system") == 1
     [file] = services.state.rglob("bake.json")
@@ -1337,7 +1350,7 @@ def test_ros_is_installed_on_a_base_that_has_none(
     monkeypatch.setattr(variables, "sync_date", lambda *_: "2026-11-27T21:14:09Z")
     app(repository, services, **given).build()
     assert json.loads(file.read_text())["target"]["keep-base"]["output"][0] != kept, "ROS has other packages"
-    build.App(repository, found_values, {}, services, said.append, renew=True).build()
+    App(repository, found_values, {}, services, said.append, renew=True).build()
     assert "it has no versions of the ROS that was installed" in said[-1]
 
 

@@ -7,6 +7,7 @@ import json
 import os
 from collections.abc import Mapping
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -20,7 +21,8 @@ from rosml.cli.containerize import ci as command
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.build import app as build
-from rosml.containerize.build.app import Built, Made
+from rosml.containerize.build.outcome import Outcome
+from rosml.containerize.build.result import Image, Result
 from rosml.containerize.ci import inputs as ci_inputs
 from rosml.containerize.ci import job as ci_job
 from rosml.machine import buildx
@@ -52,7 +54,7 @@ MAIN = ci_job.Commit("main", "", True, Path())
 def test_an_input_counts_before_a_variable_and_before_the_forges_default() -> None:
     environment = {"INPUT_TARGET": "dev", "TARGET": "run", "DEFAULT_TARGET": "run", "INPUT_PLATFORM": ""}
     environment |= {"PLATFORM": "arm64", "DEFAULT_PLATFORM": "amd64", "DEFAULT_REGISTRY": "registry.example.org"}
-    assert ci_inputs.given(environment) == {"target": "dev", "platform": "arm64", "registry": "registry.example.org"}
+    assert ci_inputs.given_inputs(environment) == {"target": "dev", "platform": "arm64", "registry": "registry.example.org"}
 
 
 def test_a_flag_that_only_ci_has_is_true_or_false() -> None:
@@ -138,25 +140,27 @@ class App:
 
     failed = ""
 
-    def __init__(self, folder: Path, values: app_inputs.Values, _: object, services: Services, __: object) -> None:
-        self.values, self.services = values, services
-        self.report = services.state / "report"
 
-    def build(self) -> Built:
-        platforms = self.values.platform.split(",")
-        for platform in platforms:
-            folder = self.report if len(platforms) == 1 else self.report / platform.replace("/", "_")
-            (folder / "results/robot").mkdir(parents=True)
-            (folder / "results/robot/a.xml").write_text(SUITE)
-        if self.failed:
-            raise RosmlError(self.failed, "correct them")
-        built = Built("base")
-        for target in self.values.target.split(","):
-            before = "" if target == "run" else f"{target}-"
-            tag, name = self.values.text(f"{before}image-tag"), self.values.text(f"{before}image-name")
-            digest = put(self.services, f"{name or self.values.image_name}:{tag}")
-            built.images.append(Made(target, f"{name}:{tag}", digest))
-        return built
+def new_call(_: object, values: app_inputs.Values, __: object, services: Services, ___: object) -> SimpleNamespace:
+    return SimpleNamespace(values=values, services=services, reports=services.state / "report")
+
+
+def build_images(call: Any) -> Result:
+    values = call.values
+    platforms = values.platform.split(",")
+    for platform in platforms:
+        folder = call.reports if len(platforms) == 1 else call.reports / platform.replace("/", "_")
+        (folder / "results/robot").mkdir(parents=True)
+        (folder / "results/robot/a.xml").write_text(SUITE)
+    if App.failed:
+        raise RosmlError(App.failed, "correct them")
+    images = []
+    for target in values.target.split(","):
+        before = "" if target == "run" else f"{target}-"
+        tag, name = values.named(f"{before}image-tag"), values.named(f"{before}image-name")
+        digest = put(call.services, f"{name or values.image_name}:{tag}")
+        images.append(Image(target, f"{name}:{tag}", digest))
+    return Result("base", images, Outcome())
 
 
 SUITE = """<testsuite><testcase name="good" classname="a"/>
@@ -193,7 +197,8 @@ def left(call: ci_job.Job, services: Services, tmp_path: Path) -> Path:
 
 @pytest.fixture(autouse=True)
 def app(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(ci_job, "App", App)
+    monkeypatch.setattr(ci_job, "new_call", new_call)
+    monkeypatch.setattr(ci_job, "build_images", build_images)
 
 
 def tags(services: Services, stand_in: StandIn) -> dict[str, str]:
@@ -293,7 +298,8 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
         return None, {target: run(services, call)[1] for target, call in one.items()}
 
     monkeypatch.setattr(buildx, "run_all", run_all)
-    monkeypatch.setattr(ci_job, "App", build.App)
+    monkeypatch.setattr(ci_job, "new_call", build.new_call)
+    monkeypatch.setattr(ci_job, "build_images", build.build_images)
     facts = app_base.Base("ros:jazzy", f"sha256:{'0' * 64}", {"ROS_DISTRO": "jazzy"})
     monkeypatch.setattr(app_base, "find", lambda *_: facts)
     (tmp_path / "robot").mkdir()

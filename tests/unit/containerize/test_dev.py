@@ -25,7 +25,8 @@ from rosml.cli.containerize import containerize, dev
 from rosml.cli.run import container
 from rosml.containerize.build import app as build
 from rosml.containerize.build import bake_file as app_bake_file
-from rosml.containerize.build import desk
+from rosml.containerize.build import dev_folder as desk
+from rosml.containerize.build.result import ShellImage
 from rosml.containerize.inputs import TABLE, Values
 from rosml.containerize.packages import workspace
 from rosml.containerize.packages.ignored import IgnoredFiles
@@ -56,7 +57,7 @@ class Place:
 
     @property
     def image(self) -> str:
-        return desk.name(self.folder) + (":latest" if self.loaded else "@sha256:1")
+        return desk.image_name(self.folder) + (":latest" if self.loaded else "@sha256:1")
 
     def call(self, *words: str) -> list[str]:
         """The engine's command that a call becomes.
@@ -87,15 +88,14 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     (made.folder / ".env").write_text("BASE_IMAGE=ros:jazzy-base\n")
     made.desk.engine(images={})
 
-    class App:
-        def __init__(self, folder: Path, values: Any, *_: object) -> None:
-            assert (folder, values.image_name, values.push) == (made.folder, desk.name(folder), False)
+    def new_call(folder: Path, values: Any, *_: object) -> None:
+        assert (folder, values.image_name, values.push) == (made.folder, desk.image_name(folder), False)
 
-        def desk(self) -> build.Desk:
-            made.made += 1
-            there: dict[str, Any] = {"images": {made.image: OURS}} if made.loaded else {"registry": {made.image: OURS}}
-            made.desk.engine(**there)
-            return build.Desk(made.image, made.loaded, None)
+    def build_shell_image(_: object) -> ShellImage:
+        made.made += 1
+        there: dict[str, Any] = {"images": {made.image: OURS}} if made.loaded else {"registry": {made.image: OURS}}
+        made.desk.engine(**there)
+        return ShellImage(made.image, made.loaded, None)
 
     class Builder:
         def require_builder(self) -> None:
@@ -110,7 +110,8 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     monkeypatch.setenv("PATH", str(made.desk.bin))
     monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.setattr(rosml, "STATE", tmp_path / "state")
-    monkeypatch.setattr(build, "App", App)
+    monkeypatch.setattr(build, "new_call", new_call)
+    monkeypatch.setattr(build, "build_shell_image", build_shell_image)
     monkeypatch.setattr(containerize, "services_for_builds", Builder)
     monkeypatch.setattr(container, "become", become)
     monkeypatch.chdir(made.folder)
@@ -207,10 +208,10 @@ def test_the_folder_is_mounted_and_what_is_built_is_kept(place: Place) -> None:
 
 def test_imported_repositories_cannot_be_changed(place: Place, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     place.call()
-    file = desk.record_of(place.folder, tmp_path / "state")
-    record = desk.read(file)
+    file = desk.record_file(place.folder, tmp_path / "state")
+    record = desk.read_record(file)
     assert record
-    desk.write(file, record.model_copy(update={"upstream": "/imported"}))
+    desk.write_record(file, record.model_copy(update={"upstream": "/imported"}))
     assert place.mounts()[f"{dev.WORKSPACE}/src/upstream"].endswith(",readonly")
 
 
@@ -315,7 +316,7 @@ def test_a_wrong_call_is_told_before_anything_is_made(place: Place, words: list[
 def test_inputs_without_a_use_are_those_that_the_image_has_of_its_own(tmp_path: Path) -> None:
     flags = {item.name.replace("-", "_") for item in TABLE if item.flag}
     other: dict[str, Any] = {name: True if name in flags else "x" for name in asdict(Values())}
-    kept = asdict(desk.values(Values(**other), tmp_path))
+    kept = asdict(desk.image_values(Values(**other), tmp_path))
     own = {name.replace("_", "-") for name, value in kept.items() if value != other[name]}
     assert {name for name in desk.UNUSED if not name.startswith("slim-")} == own
 
@@ -328,18 +329,18 @@ def test_there_is_no_engine(place: Place) -> None:
 
 def test_nothing_is_kept_in_a_folder_of_somebody_else(tmp_path: Path) -> None:
     uid = os.geteuid()
-    desk.require_yours(tmp_path, uid)
-    desk.prepare(tmp_path)
-    desk.require_yours(tmp_path, uid)
+    desk.require_owner(tmp_path, uid)
+    desk.make(tmp_path)
+    desk.require_owner(tmp_path, uid)
     with pytest.raises(RosmlError, match=r"\.rosml belongs to the user") as error:
-        desk.require_yours(tmp_path, uid + 1)
+        desk.require_owner(tmp_path, uid + 1)
     assert error.value.remedy == f"remove it: sudo rm -rf '{tmp_path}/{desk.KEPT}'"
     tmp_path.chmod(0o555)
     if uid:
         with pytest.raises(RosmlError, match="you cannot write there"):
-            desk.require_yours(tmp_path, uid)
+            desk.require_owner(tmp_path, uid)
         with pytest.raises(RosmlError, match="and you are root"):
-            desk.require_yours(tmp_path, 0)
+            desk.require_owner(tmp_path, 0)
     tmp_path.chmod(0o755)
 
 
@@ -459,5 +460,5 @@ def test_no_file_is_made_behind_a_link_of_a_stranger(tmp_path: Path, name: str) 
     (folder / desk.KEPT).mkdir(parents=True)
     (folder / desk.KEPT / name).symlink_to(tmp_path / "outside")
     with pytest.raises(RosmlError, match=f"{name} is a link"):
-        desk.prepare(folder)
+        desk.make(folder)
     assert not (tmp_path / "outside").exists()

@@ -33,14 +33,14 @@ SUITE = '<testsuite><testcase name="good"/></testsuite>'
 ONE = ("linux/amd64",)
 
 
-def said(folder: Path, entries: dict[str, archives.Content], *platforms: str) -> report.Said:
+def said(folder: Path, entries: dict[str, archives.Content], *platforms: str) -> report.AppReport:
     archives.write(folder / "report.tar", entries)
-    return report.Said(folder / "report.tar", folder / "said", platforms or ONE)
+    return report.of_app(folder / "report.tar", folder / "said", platforms or ONE)
 
 
-def left_by_tests(folder: Path, entries: dict[str, archives.Content], *platforms: str) -> report.Tests:
+def left_by_tests(folder: Path, entries: dict[str, archives.Content], *platforms: str) -> report.TestResults:
     archives.write(folder / "results.tar", entries)
-    return report.tests(folder / "results.tar", folder / "report", platforms or ONE)
+    return report.of_tests(folder / "results.tar", folder / "report", platforms or ONE)
 
 
 @pytest.mark.parametrize(
@@ -149,5 +149,5 @@ def test_an_archive_that_cannot_be_read_is_said(data: bytes | None, tmp_path: Pa
     if data is not None:
         (tmp_path / "report.tar").write_bytes(data)
     with pytest.raises(RosmlError, match=r"the build left no|is damaged") as caught:
-        report.Said(tmp_path / "report.tar", tmp_path / "said", ONE).apps()
+        report.of_app(tmp_path / "report.tar", tmp_path / "said", ONE).apps()
     assert caught.value.remedy

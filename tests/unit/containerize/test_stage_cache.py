@@ -16,7 +16,7 @@ from rosml.base.errors import RosmlError
 from rosml.containerize.build import junit
 from rosml.containerize.build.outcome import Outcome
 from rosml.containerize.build.report import Answer
-from rosml.containerize.build.stage_cache import Cache, Keys, Report, form, keys
+from rosml.containerize.build.stage_cache import Cache, Keys, Report, StageInputs, form
 from rosml.containerize.lock import Packages
 from rosml.registry import oci
 from rosml.registry.client import Registry
@@ -51,7 +51,7 @@ def made(
 ) -> Keys:
     given = {"base": base} | ({"slim": slim} if slim else {})
     upstream, target, downstream = (folder / name for name in ("upstream", "target", "downstream"))
-    return keys(given, [folder / "needs"], upstream, target, downstream, cmake, tests, hooked)
+    return StageInputs(given, [folder / "needs"], upstream, target, downstream, cmake, tests, hooked).keys()
 
 
 def differ(one: Keys, other: Keys) -> list[str]:
@@ -117,7 +117,7 @@ def test_gits_folder_of_sources_does_not_count(folder: Path) -> None:
 
 def test_a_report_is_found_again(stand_in: StandIn) -> None:
     with Cache(f"{stand_in.address}/me/robot-cache", "") as cache:
-        assert (cache.found(KEYS), cache.report(KEYS)) == ({}, None)
+        assert (cache.stages(KEYS), cache.report(KEYS)) == ({}, None)
         cache.keep(KEYS, OUTCOME, TESTS, {"run/linux/amd64/files.gz": b"some", "slim/linux/amd64/files.gz": b"others"})
         assert cache.report(KEYS) == REPORT
         assert cache.detail(KEYS, "slim/linux/amd64/files.gz") == b"others"

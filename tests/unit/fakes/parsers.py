@@ -37,7 +37,7 @@ from rosml.containerize import inputs as app_inputs
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image import rosdep_index
 from rosml.containerize.build import attachments as contents
-from rosml.containerize.build import desk, junit, report
+from rosml.containerize.build import dev_folder, junit, report
 from rosml.containerize.ci import job as ci_job
 from rosml.containerize.init import folder as init_folder
 from rosml.containerize.init import forge, packages
@@ -109,14 +109,14 @@ def as_json(*values: Any) -> tuple[bytes, ...]:
 
 def said_of(document: bytes, folder: Path) -> object:
     (folder / "report.tar").write_bytes(gzip.decompress(tar_of(("app.json", document))))
-    return report.Said(folder / "report.tar", folder / "said", ("linux/amd64",)).apps()
+    return report.of_app(folder / "report.tar", folder / "said", ("linux/amd64",)).apps()
 
 
 def left_of(document: bytes, folder: Path) -> object:
     with contextlib.suppress(zlib.error):  # the builder's is not compressed; some have more than memory holds
         document = zlib.decompressobj(31).decompress(document, 20 << 20)
     (folder / "results.tar").write_bytes(document)
-    return report.tests(folder / "results.tar", folder / "report", ("linux/amd64",))
+    return report.of_tests(folder / "results.tar", folder / "report", ("linux/amd64",))
 
 
 def job_of(document: bytes, folder: Path) -> object:
@@ -126,7 +126,7 @@ def job_of(document: bytes, folder: Path) -> object:
     )
     (folder / job.name).mkdir()
     (folder / job.name / ci_job.FILE).write_bytes(document)
-    return job.made(folder)
+    return job.built_images(folder)
 
 
 def rosdep_index_of(document: bytes, folder: Path) -> object:
@@ -834,7 +834,7 @@ PARSERS: dict[str, Parser] = {
     ),
     "record": Parser("json", as_json(documents.ENTRY), entry_of),
     "record of rosml dev": Parser(
-        "json", as_json({"key": "a", "image": "b:latest", "id": "1", "upstream": ""}), written("a.json", desk.read)
+        "json", as_json({"key": "a", "image": "b:latest", "id": "1", "upstream": ""}), written("a.json", dev_folder.read_record)
     ),
     "scan of a record": Parser("json", as_json(documents.ENTRY["scan"]), scan_of),
     "inputs of a record": Parser("json", as_json({"inputs": {"a": "b"}, **documents.ENTRY}), inputs_of),

@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from rosml.containerize.ci.job import Image, Job
 
 KEPT = "interrupted: the builder keeps finished steps; run the job again"
-"""The message after Ctrl-C."""
 
 
 @click.group("ci", short_help="Builds images of a commit, for the CI files in containerize/.", cls=Group, kept=KEPT)
@@ -37,26 +36,26 @@ def _job() -> tuple[Job, dict[str, str], Path]:
     from rosml.containerize.ci import inputs as ci_inputs
     from rosml.containerize.ci import job as ci_job
 
-    what, given = ci_job.commit(os.environ), ci_inputs.given(os.environ)
-    folder = (what.folder / given.get("build-context", ".")).resolve()
-    for sentence in app_inputs.answers(folder, {name.upper().replace("-", "_"): text for name, text in given.items()}):
+    commit, inputs = ci_job.commit(os.environ), ci_inputs.given_inputs(os.environ)
+    folder = (commit.folder / inputs.get("build-context", ".")).resolve()
+    for sentence in app_inputs.answers(folder, {name.upper().replace("-", "_"): text for name, text in inputs.items()}):
         say(sentence)
-    return ci_job.Job(app_inputs.values(given, folder, {}), os.environ, what, say), given, folder
+    return ci_job.Job(app_inputs.values(inputs, folder, {}), os.environ, commit, say), inputs, folder
 
 
 @main.command(alone=True)
 def login() -> None:
     """Logs in to the registry, with docker."""
+    import subprocess  # only needed here
+
     from rosml.containerize.ci import inputs as ci_inputs
 
-    given = ci_inputs.given(os.environ)
-    registry, user = given.get("registry", ""), given.get("registry-user", "")
+    inputs = ci_inputs.given_inputs(os.environ)
+    registry, user = inputs.get("registry", ""), inputs.get("registry-user", "")
     try:
-        import subprocess  # only needed here
-
         done = subprocess.run(
             ["docker", "login", "--username", user, "--password-stdin", registry],
-            input=given.get("registry-password", ""),
+            input=inputs.get("registry-password", ""),
             text=True,
             check=False,
         )
@@ -75,8 +74,8 @@ def build(out: Path) -> None:
     from rosml.containerize.ci import job as ci_job
     from rosml.machine.services import Services
 
-    job, given, folder = _job()
-    apart = ci_inputs.flag("enable-singlearch-push", given)
+    job, inputs, folder = _job()
+    apart = ci_inputs.flag("enable-singlearch-push", inputs)
     out = out / job.name
     github.output("artifact", job.name)
     github.output("folder", str(out))
@@ -91,7 +90,7 @@ def build(out: Path) -> None:
         raise
     finally:
         github.summary(ci_job.summary(images, out))
-    _done(images)
+    _report(images)
 
 
 @main.command(alone=True, short_help="Makes one index of the images for several platforms.")
@@ -105,10 +104,10 @@ def index(folder: Path) -> None:
     with Registries(os.environ.get("SSL_CERT_FILE", "")) as registries:
         images = job.index(folder, registries)
     github.summary(ci_job.summary(images))
-    _done(images)
+    _report(images)
 
 
-def _done(images: list[Image]) -> None:
+def _report(images: list[Image]) -> None:
     from rosml.containerize.ci import job as ci_job
 
     for name, value in ci_job.outputs(images).items():

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
     from rosml.machine.services import Services
 
 KEPT = "interrupted: no image was made; finished steps are kept, the next call carries on"
-"""The message after Ctrl-C."""
 
 
 def _options(function: Function) -> Function:
@@ -57,7 +56,7 @@ def services_for_builds() -> Services:
 @click.option("--lock", is_flag=True, help="take the newest versions, and write the lock file")
 @_options
 @options.JSON
-def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) -> None:
+def main(folder: Path, lock: bool, as_json: bool, **options_by_variable: str | bool | None) -> None:
     """Builds images of the ROS packages in FOLDER: one to run them, and one to work on them.
 
     \b
@@ -74,42 +73,37 @@ def main(folder: Path, lock: bool, as_json: bool, **given: str | bool | None) ->
     Example:
       rosml containerize --base-image ghcr.io/us/ros-torch:jazzy-base-cu130 --command "ros2 launch my_package all.launch.py"
     """
-    from rosml.containerize.build import app as build
+    from rosml.containerize.build import app
     from rosml.containerize.packages import manifest
 
     folder = folder.resolve()
-    said = {
+    inputs = {
         item.name: str(value).lower() if item.flag else str(value)
         for item in app_inputs.TABLE
-        if (value := given.get(item.variable)) is not None
+        if (value := options_by_variable.get(item.variable)) is not None
     }
-    manifest.require(folder, said, os.environ)  # before anything is said of options, and any service is asked
-    values = app_inputs.values(said, folder, os.environ)
+    manifest.require(folder, inputs, os.environ)  # before anything is said of options, and any service is asked
+    values = app_inputs.values(inputs, folder, os.environ)
     for sentence in app_inputs.answers(folder, os.environ):
         say(sentence)
     services = services_for_builds()
     services.require_builder()
-    built = build.App(folder, values, os.environ, services, say, renew=lock).build()
+    result = app.build_images(app.new_call(folder, values, os.environ, services, say, renew=lock))
     if as_json:
-        terminal.echo(json.dumps(built.to_json(), indent=2))
+        terminal.echo(json.dumps(result.to_json(), indent=2))
         return
-    for image in built.images:
+    for image in result.images:
         terminal.echo(f"{image.target:<5}  {image.reference}")
-    for name, text in built.summary():
+    for name, text in result.summary():
         terminal.echo(f"{name:<5}  {text}")
-    for line in [] if values.push else where(services.registry, [image.reference for image in built.images]):
+    for line in [] if values.push else where(services.registry, [image.reference for image in result.images]):
         terminal.echo(line)
-    for image in built.images[:1]:
+    for image in result.images[:1]:
         terminal.echo(f"try    {checkout.call()} run {image.reference}")
 
 
 def where(registry: str, images: Sequence[str]) -> Iterator[str]:
-    """Lines that say where images are, if nobody named a registry, and Docker does not have them.
-
-    Args:
-        registry: the address of the local registry; empty if there is none.
-        images: their references.
-    """
+    """Lines that say where images are, if nobody named a registry, and Docker does not have them."""
     if registry and images and images[0].startswith(f"{registry}/"):
         yield "where  in the local registry, as setup found no Docker; with --push, in the registry that --image-name names"
         yield f"       {checkout.call()} save {images[0]} -o image.tar writes one into a file"

@@ -18,20 +18,18 @@ from rosml.cli.run import container, defaults, run, trust
 from rosml.run import words
 
 if TYPE_CHECKING:
-    from rosml.containerize.build.desk import Record
+    from rosml.containerize.build.dev_folder import ImageRecord
     from rosml.containerize.inputs import Values
     from rosml.run.context import Container, Context, Person
     from rosml.run.engine import Facts
     from rosml.run.plugin import Plugin
 
 KEPT = "interrupted: nothing was started; finished steps are kept, the next call carries on"
-"""The message after Ctrl-C."""
 
 LABEL = "io.rosml.dev"
 """The label of a container with a shell of `rosml dev`: the digest of its image's inputs."""
 
 WORKSPACE = "/docker-ros/ws"
-"""The workspace in the image."""
 
 RESERVED = ("base-image", "addons", "build")
 """The command's own options, beside those of `rosml run`: no file with defaults may set one."""
@@ -44,11 +42,7 @@ class Dev(run.Run):
     """A command of which the first word that is no option is the folder. The words after `--` are the command in the container."""
 
     def for_click(self, ctx: click.Context, args: Sequence[str]) -> list[str]:
-        """The words that click reads.
-
-        Raises:
-            RosmlError: a command stands before `--`, an option is one of `rosml containerize` alone, or as in `container.Words`.
-        """
+        """The words that click reads."""
         end = [*args, "--"].index("--")
         command = tuple(args[end + 1 :])
         if not ctx.resilient_parsing:
@@ -65,35 +59,28 @@ class Dev(run.Run):
         return read
 
 
-def _require_own(args: Sequence[str], own: Collection[str]) -> None:
-    """Checks that no option is an input of `rosml containerize` that this command takes only as a variable.
-
-    Args:
-        own: the options of the command.
-
-    Raises:
-        RosmlError: one is (exit code 2).
-    """
+def _require_own(args: Sequence[str], own_options: Collection[str]) -> None:
+    """Checks that no option is an input of `rosml containerize` that this command takes only as a variable."""
     options = {word.partition("=")[0] for word in args if word.startswith("--")}
-    if not {option for option in options.difference(own) if option[2:] not in words.table().names}:
+    if not {option for option in options.difference(own_options) if option[2:] not in words.table().names}:
         return
     from rosml.containerize import inputs as app_inputs  # only needed when something is wrong
-    from rosml.containerize.build import desk  # only needed when something is wrong
+    from rosml.containerize.build import dev_folder  # only needed when something is wrong
 
     inputs = {f"--{item.name}": item for item in app_inputs.TABLE if not item.gone}
     inputs |= {f"--no-{item.name}": item for item in app_inputs.TABLE if item.flag}
     for word, following in pairwise((*args, "")):
         option, equals, value = word.partition("=")
-        if option not in inputs or option in own or option[2:] in words.table().names:
+        if option not in inputs or option in own_options or option[2:] in words.table().names:
             continue
         item = inputs[option]
-        if item.name in desk.UNUSED:
+        if item.name in dev_folder.UNUSED:
             remedy = "leave it out: rosml dev makes one image for this machine, without an app"
         else:
-            given = value if equals else following
+            value = value if equals else following
             if item.flag:
-                given = str(not option.startswith("--no-")).lower()
-            remedy = f"set its variable: {item.variable}={shlex.quote(given) if given else 'VALUE'} rosml dev"
+                value = str(not option.startswith("--no-")).lower()
+            remedy = f"set its variable: {item.variable}={shlex.quote(value) if value else 'VALUE'} rosml dev"
         raise RosmlError(f"{option} is an option of rosml containerize, not of rosml dev", remedy, exit_code=2)
 
 
@@ -137,7 +124,7 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
       rosml dev -- colcon test --packages-select my_package
       rosml dev -p 127.0.0.1:5678:5678 ~/my_robot
     """
-    from rosml.containerize.build import desk
+    from rosml.containerize.build import dev_folder
     from rosml.run import engine, paths
     from rosml.run.person import person
 
@@ -146,18 +133,19 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
     place = _place(folder)
     if line.has("platform"):
         raise RosmlError("--platform: the image is for this machine", "leave it out", exit_code=2)
-    line = replace(line, engine=tuple(paths.resolved(given, caller.folder) for given in line.engine))
+    line = replace(line, engine=tuple(paths.resolved(option, caller.folder) for option in line.engine))
     caller = replace(caller, folder=str(place))
     values = _values(place, {"base-image": base_image, "addons": addons})
     program = engine.program(os.environ)
-    desk.require_yours(place, caller.uid)
-    key = desk.key(place, values)
-    if not build and (found := _running(program, caller.folder)):
-        _enter(program, line, caller, found, key)
+    dev_folder.require_owner(place, caller.uid)
+    key = dev_folder.inputs_digest(place, values)
+    if not build and (running := _running(program, caller.folder)):
+        _enter(program, line, caller, running, key)
         return
-    own = [f"--{name}" for plugin in run.discovered().plugins for name in plugin.options]
-    files = defaults.read(line, own, [f"--{name}" for name in (*run.RESERVED, *RESERVED)], caller.folder)
-    defaults.require(replace(line, image=desk.name(place)), files.project)
+    plugin_options = [f"--{name}" for plugin in run.discovered().plugins for name in plugin.options]
+    reserved = [f"--{name}" for name in (*run.RESERVED, *RESERVED)]
+    files = defaults.read(line, plugin_options, reserved, caller.folder)
+    defaults.require(replace(line, image=dev_folder.image_name(place)), files.project)
     record, facts = _image(program, place, values, key, line, build)
     started = files.under(replace(line, image=record.image))
     _start(
@@ -166,11 +154,7 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
 
 
 def _place(folder: str) -> Path:
-    """The folder, with links followed.
-
-    Raises:
-        RosmlError: there is none (exit code 2).
-    """
+    """The folder, with links followed."""
     place = Path(folder).expanduser()
     if not place.is_dir():
         remedy = f"name a folder; a command stands after --: rosml dev -- {shlex.quote(folder)}"
@@ -179,21 +163,14 @@ def _place(folder: str) -> Path:
 
 
 def _values(folder: Path, options: Mapping[str, str]) -> Values:
-    """The inputs of the image.
-
-    Args:
-        options: the inputs that options name; empty ones do not count.
-
-    Raises:
-        RosmlError: the folder has no packages, or an input is wrong (exit code 2).
-    """
+    """The inputs of the image. Empty options do not count."""
     from rosml.containerize import inputs as app_inputs
-    from rosml.containerize.build import desk
+    from rosml.containerize.build import dev_folder
     from rosml.containerize.packages import manifest
 
-    given = {name: value for name, value in options.items() if value}
-    manifest.require(folder, given, os.environ)
-    return desk.values(app_inputs.values({**given, "push": "false"}, folder, os.environ), folder)
+    inputs = {name: value for name, value in options.items() if value}
+    manifest.require(folder, inputs, os.environ)
+    return dev_folder.image_values(app_inputs.values({**inputs, "push": "false"}, folder, os.environ), folder)
 
 
 def _running(program: str, folder: str) -> Container | None:
@@ -201,43 +178,35 @@ def _running(program: str, folder: str) -> Container | None:
     from rosml.run import engine
     from rosml.run.plugins import basic_options
 
-    found = [it for it in engine.containers(program, LABEL) if it.state == "running"]
-    return next((it for it in found if it.labels.get(basic_options.FOLDER_LABEL) == folder), None)
+    running = (it for it in engine.containers(program, LABEL) if it.state == "running")
+    return next((it for it in running if it.labels.get(basic_options.FOLDER_LABEL) == folder), None)
 
 
-def _enter(program: str, line: words.Line, caller: Person, found: Container, key: str) -> None:
-    """Enters a container that runs.
-
-    Args:
-        key: the digest of the present inputs of its image.
-
-    Raises:
-        RosmlError: an option is for a container that starts (exit code 2).
-    """
+def _enter(program: str, line: words.Line, caller: Person, running: Container, key: str) -> None:
+    """Enters a container that runs. `key`: the digest of the present inputs of its image."""
     from rosml.run import attach
 
-    again = f"end its shells, or call {program} stop {found.name}; then call this again"
+    again = f"end its shells, or call {program} stop {running.name}; then call this again"
     if late := next((x.words[0] for x in line.engine if not {*x.names} <= attach.PASSED), ""):
-        raise RosmlError(f"{late} is for a container that starts, and {found.name} runs already", again, exit_code=2)
-    if found.labels[LABEL] != key:
-        warn(f"{found.name} has the dependencies of before: a package.xml or another input of its image changed", again)
-    container.enter(program, line, caller, found)
+        raise RosmlError(f"{late} is for a container that starts, and {running.name} runs already", again, exit_code=2)
+    if running.labels[LABEL] != key:
+        warn(
+            f"{running.name} has the dependencies of before: a package.xml or another input of its image changed", again
+        )
+    container.enter(program, line, caller, running)
 
 
-def _image(program: str, folder: Path, values: Values, key: str, line: words.Line, renew: bool) -> tuple[Record, Facts]:
-    """The image, and what the engine says of it. If its inputs changed, it is made.
-
-    Raises:
-        RosmlError: it cannot be made, or it would be and nothing shall run.
-    """
+def _image(
+    program: str, folder: Path, values: Values, key: str, line: words.Line, renew: bool
+) -> tuple[ImageRecord, Facts]:
+    """The image, and what the engine says of it. If its inputs changed, it is made."""
     from rosml import STATE
     from rosml.cli.containerize import containerize
-    from rosml.containerize.build import app as build
-    from rosml.containerize.build import desk
+    from rosml.containerize.build import app, dev_folder
     from rosml.run import engine
 
-    file = desk.record_of(folder, STATE)
-    record = desk.read(file)
+    file = dev_folder.record_file(folder, STATE)
+    record = dev_folder.read_record(file)
     if record and record.key == key and not renew:
         facts = engine.ask(program, record.image, "")
         if facts.image and facts.image.id == record.id:
@@ -247,24 +216,26 @@ def _image(program: str, folder: Path, values: Values, key: str, line: words.Lin
     engine.answering(program)
     services = containerize.services_for_builds()
     services.require_builder()
-    made = build.App(folder, values, os.environ, services, say).desk()
-    facts = engine.ask(program, made.reference, "")
-    if facts.image is None and made.loaded:
+    image = app.build_shell_image(app.new_call(folder, values, os.environ, services, say))
+    facts = engine.ask(program, image.reference, "")
+    if facts.image is None and image.loaded:
         text = f"the image is in Docker, and {program} does not have it"
         raise RosmlError(text, "set ROSML_ENGINE=docker; check DOCKER_HOST and docker context ls")
     if facts.image is None:
-        engine.pull(program, replace(line, image=made.reference))
-        facts = engine.ask(program, made.reference, "")
+        engine.pull(program, replace(line, image=image.reference))
+        facts = engine.ask(program, image.reference, "")
     if facts.image is None:
-        raise engine.still_lacking(program, made.reference)
-    record = desk.Record(key=key, image=made.reference, id=facts.image.id, upstream=str(made.upstream or ""))
-    desk.write(file, record)
+        raise engine.still_lacking(program, image.reference)
+    record = dev_folder.ImageRecord(
+        key=key, image=image.reference, id=facts.image.id, upstream=str(image.upstream or "")
+    )
+    dev_folder.write_record(file, record)
     return record, facts
 
 
-def _start(line: words.Line, caller: Person, facts: Facts, record: Record) -> None:
+def _start(line: words.Line, caller: Person, facts: Facts, record: ImageRecord) -> None:
     """Starts a container, or shows how."""
-    from rosml.containerize.build import desk
+    from rosml.containerize.build import dev_folder
     from rosml.run import engine
     from rosml.run.context import Context
     from rosml.run.host import host
@@ -277,20 +248,20 @@ def _start(line: words.Line, caller: Person, facts: Facts, record: Record) -> No
             line = replace(line, engine=(*line.engine, words.TypedOption(("--name", name), ("name",), name)))
     line = line if line.has("name") else replace(line, rosml=(*line.rosml, "--no-name"))
     if not container.only_shown(line):
-        desk.prepare(Path(caller.folder))
+        dev_folder.make(Path(caller.folder))
     context = Context(line, facts.engine, caller, facts.image, host(os.environ))
     run.begin(context, _plugin(record))
 
 
-def _plugin(record: Record) -> Plugin:
+def _plugin(record: ImageRecord) -> Plugin:
     """The plugin that mounts the workspace."""
-    from rosml.containerize.build import desk
+    from rosml.containerize.build import dev_folder
     from rosml.run import paths
     from rosml.run.plugin import Plugin
 
     def mounted(context: Context) -> list[str]:
         folder = context.person.folder
-        added = ["--mount", paths.bind(f"{folder}/{desk.KEPT}", WORKSPACE)]
+        added = ["--mount", paths.bind(f"{folder}/{dev_folder.KEPT}", WORKSPACE)]
         added += ["--mount", paths.bind(folder, f"{WORKSPACE}/src/target")]
         if record.upstream:
             added += ["--mount", f"{paths.bind(record.upstream, f'{WORKSPACE}/src/upstream')},readonly"]

@@ -11,7 +11,7 @@ from rosml import MATRIX
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image.base import Base
-from rosml.containerize.build import bake_file as app_bake_file
+from rosml.containerize.build import bake_file
 from rosml.containerize.build.stage_cache import BASE
 from rosml.containerize.inputs import Values
 from rosml.images.builds import adopted, base_images, variables
@@ -34,7 +34,6 @@ def with_ros(
     """Adds the ROS to install to a base image, if it has none.
 
     Args:
-        values: the inputs.
         platforms: the app's platforms.
         image_set: the images to choose from; by default, those of rosml's own matrix.
 
@@ -53,20 +52,19 @@ def with_ros(
     if facts.ros:
         if values.ros_distro:
             return base
-        named = [name for name in facts.ros if name != system.OTHER]
-        text = f"{base.name} has {' and '.join(named) or 'another ROS'} in /opt/ros, and does not say which ROS it is"
-        raise RosmlError(text, f"add --ros-distro {(named or ['NAME'])[0]}", exit_code=2)
+        names = [name for name in facts.ros if name != system.OTHER]
+        text = f"{base.name} has {' and '.join(names) or 'another ROS'} in /opt/ros, and does not say which ROS it is"
+        raise RosmlError(text, f"add --ros-distro {(names or ['NAME'])[0]}", exit_code=2)
     architectures = [platform.split("/")[1] for platform in platforms]
-    wanted = values.ros_distro
-    image = system.choose(image_set, facts, base.name, wanted, values.ros_component, architectures)
+    image = system.choose(image_set, facts, base.name, values.ros_distro, values.ros_component, architectures)
     lasting = image_set.matrix.distributions[image.distribution].lts
     kind = "the newest long-term release" if lasting else "the first choice"
-    why = "" if wanted else f", {kind} for {facts.title or facts.id}; --ros-distro names another"
+    why = "" if values.ros_distro else f", {kind} for {facts.title or facts.id}; --ros-distro names another"
     say(f"it has no ROS: {image.distribution}-{image.component} is installed on it{why}")
     entrypoint = _entrypoint(base, facts.passes_on, values, say)
     sync = variables.sync_date(services, image_set, image.distribution, say)
-    own = base_images.reference(services, image_set.matrix.operating_systems, image.os) if image.wheels else ""
-    onto = Adopted(
+    own_base = base_images.reference(services, image_set.matrix.operating_systems, image.os) if image.wheels else ""
+    ros = Adopted(
         base.reference,
         image_set,
         image,
@@ -77,14 +75,14 @@ def with_ros(
         base.labels,
         facts.carries,
         sync or "",
-        own,
+        own_base,
     )
-    ours = {"ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
-    return replace(base, environment={**base.environment, **ours}, adopted=onto)
+    added = {"ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
+    return replace(base, environment={**base.environment, **added}, adopted=ros)
 
 
 def _entrypoint(base: Base, passes_on: bool, values: Values, say: Callable[[str], None]) -> tuple[str, ...]:
-    """The words of a base image's entrypoint that run before each command. Says what becomes of it."""
+    """The words of a base image's entrypoint that run before each command."""
     entrypoint = adopted.called(base.entrypoint) if passes_on else ()
     if base.entrypoint:
         words = " ".join(shlex.join(entrypoint or base.entrypoint).split())  # its text may have several lines
@@ -98,11 +96,6 @@ _FOLDERS = (("/usr/bin", "/bin"), ("/usr/sbin", "/sbin"))
 
 
 def _require_path(base: Base) -> None:
-    """Checks that programs of the system are on PATH.
-
-    Raises:
-        RosmlError: they are not (exit code 2).
-    """
     path = base.environment.get("PATH")
     folders = (path or "").split(":")
     lacking = [either[0] for either in _FOLDERS if not {*either} & {*folders}]
@@ -114,12 +107,8 @@ def _require_path(base: Base) -> None:
 
 def prepare(base: Base, services: Services, environment: Mapping[str, str], platforms: tuple[str, ...]) -> None:
     """Has the builder install ROS on a base image, if it has not done so yet. Apps on the same base image do this one after the other,
-    so that it happens once; everything else of their builds happens side by side.
-
-    Raises:
-        RosmlError: a step failed.
-    """
-    _bake(base, services, environment, platforms, "", "type=cacheonly")
+    so that it happens once; everything else of their builds happens side by side."""
+    make(base, services, environment, platforms, "", "type=cacheonly")
 
 
 def make(
@@ -130,43 +119,20 @@ def make(
     tag: str,
     output: str,
 ) -> str:
-    """Makes a base image with ROS of one without it.
+    """Makes a base image with ROS of one without it. Returns its digest.
 
     Args:
         base: the result of `with_ros`.
-        environment: the variables of the process.
-        platforms: its platforms.
-        tag: its full name.
-        output: the builder's output, in buildx's words.
-
-    Returns:
-        Its digest.
-
-    Raises:
-        RosmlError: a step failed.
-    """
-    return _bake(base, services, environment, platforms, tag, output).get("containerimage.digest", "")
-
-
-def _bake(
-    base: Base,
-    services: Services,
-    environment: Mapping[str, str],
-    platforms: tuple[str, ...],
-    tag: str,
-    output: str,
-) -> Mapping[str, str]:
-    """Builds a base image with ROS. Gives the builder's facts about it.
-
-    Raises:
-        RosmlError: a step failed.
+        tag: its full name; empty if it gets none.
+        output: in buildx's words.
     """
     assert base.adopted
-    named = f"image-{base.adopted.image.target}-on-{base.digest.rpartition(':')[2][:16]}"
-    state = services.state / "adopted" / named
+    name = f"image-{base.adopted.image.target}-on-{base.digest.rpartition(':')[2][:16]}"
+    state = services.state / "adopted" / name
     state.mkdir(parents=True, exist_ok=True)
-    text = app_bake_file.render_base(base, services, environment, platforms, tag, output, adopted.empty(state))
+    steps = bake_file.steps(services, environment, platforms)
+    text = bake_file.render_base(base, services, steps, tag, output, adopted.empty(state))
     file = state / f"{hashlib.sha256(text.encode()).hexdigest()[:16]}.json"
     files.write(file, text)
-    _progress, metadata = buildx.run(services, buildx.Bake(BASE, named, file, shares=named))
-    return metadata
+    _progress, metadata = buildx.run(services, buildx.Bake(BASE, name, file, shares=name))
+    return metadata.get("containerimage.digest", "")

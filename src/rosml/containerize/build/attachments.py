@@ -29,15 +29,11 @@ def sbom(data: bytes, reference: str, sources: Mapping[str, Repository]) -> byte
         data: the packages of the image, from `PACKAGES`.
         reference: the image, by its digest.
         sources: upstream repositories of ROS packages, by the package's name.
-
-    Raises:
-        RosmlError: the data is damaged.
     """
     return packages.cyclonedx(packages.read(data), reference, lambda name: _origin(sources.get(name)))
 
 
 def _origin(source: Repository | None) -> dict[str, Any]:
-    """The origin of a ROS package, for an SBOM."""
     if not source:
         return {}
     properties = [{"name": COMMIT, "value": source.commit}]
@@ -65,13 +61,10 @@ def attach(
     """Attaches an SBOM, a list of files and facts to an image, for each of its platforms. Those that it has already stay.
 
     Args:
-        digest: the digest of the image, or of an index.
-        load: reads the contents that a build reported: from a platform, and a kind of `KINDS`.
+        digest: of the image, or of an index.
+        load: reads the contents that a build reported, from a platform and a kind of `KINDS`.
         sources: as in `sbom`.
         linked: the app is one layer on its base image. If not, there are no facts.
-
-    Raises:
-        RosmlError: the registry does not answer or refuses.
     """
     for manifest in manifests(registry, repository, digest):
         missing = [

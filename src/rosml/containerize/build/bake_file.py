@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
@@ -22,7 +22,6 @@ from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 
 SCRIPTS = ROOT / "components"
-"""The scripts that steps of the build call."""
 
 FOREIGN = ("scripts/containerize/workspace.sh", "scripts/containerize/test.sh")
 """Scripts that run code of the packages. Others may run a script of the repository; if that fails, they say so."""
@@ -34,10 +33,9 @@ LOCK = f"{PREFIX}lock"
 """The label with an image's inputs, as in the lock file."""
 
 REPLACED = f"{PREFIX}replaced"
-"""The label of an app whose packages replace something of its base image: what, as far as `NAMED` names go. Such an app is on no other
-base image without a build."""
+"""The label with what the app's packages replace of the base image. An app that has it gets another base image only by a build."""
 
-NAMED = 10
+NAMES_IN_LABEL = 10
 
 REPORT, RESULTS, ASKED = "report", "results", "identified"
 """The targets that leave an archive: the reports of rosml's own steps, the test reports, and the packages for each key of rosdep, in
@@ -53,10 +51,7 @@ FAILED = "target-results"
 """The target that leaves the reports of the app's own tests alone, in the archive of `RESULTS`."""
 
 STAGES = ("app", "runtime", "workspace")
-"""Stages that images join."""
-
 SLIM_STAGES = ("slim-app", "slim-runtime")
-"""Stages that a slim image joins."""
 
 PACKAGES = "packages"
 """The group of all targets before the images."""
@@ -69,154 +64,154 @@ class Inputs:
     """The inputs of an app's build.
 
     Attributes:
-        base: the base image.
-        distribution: its ROS distribution.
+        targets: the images to build.
         slim: the base image of the slim image, if there will be one.
-        values: the user's inputs.
+        distribution: the base image's ROS distribution.
+        conditions: the ROS with which conditions in manifests compare.
         contexts: folders with sources, manifests and requests, by their names in the Dockerfile.
         empty: a folder without files.
         hooked: a script changes the sources before their dependencies are read.
+        time: the time of the commit, in seconds since 1970.
         rosdep: the digest of rosdep's lists, if they are from a registry.
-        conditions: the ROS with which conditions in manifests compare.
-        commit: the commit of the sources.
-        time: the time of that commit, in seconds since 1970.
     """
 
+    targets: tuple[str, ...]
     base: Base
+    slim: Base | None
     distribution: str
+    conditions: str
     values: Values
     contexts: Mapping[str, Path]
     empty: Path
     hooked: bool
     commit: str
     time: int
-    slim: Base | None = None
     rosdep: str = ""
-    conditions: str = ""
 
     @property
     def stages(self) -> tuple[str, ...]:
         """Stages that images join."""
         return STAGES + (SLIM_STAGES if self.slim else ())
 
+    def base_of(self, target: str) -> Base:
+        return self.slim if target == SLIM and self.slim else self.base
 
-def render(
-    inputs: Inputs,
-    names: Names,
-    services: Services,
-    environment: Iterable[str],
-    left: Mapping[str, Path],
-    known: Mapping[str, str],
-    kept: Mapping[str, str],
-    replaced: Mapping[str, Sequence[str]] | None = None,
-    lock: str = "",
-) -> str:
+
+@dataclass(frozen=True)
+class Recipe:
+    """All from which the bake file of an app follows.
+
+    Attributes:
+        environment: the names of set variables.
+        archives: the archives of the targets `REPORT`, `RESULTS` and `ASKED`.
+        cached_stages: references of stages that a registry has.
+        pushed_stages: references to which other stages go.
+    """
+
+    inputs: Inputs
+    names: Names
+    services: Services
+    environment: Sequence[str]
+    archives: Mapping[str, Path]
+    cached_stages: Mapping[str, str] = field(default_factory=dict)
+    pushed_stages: Mapping[str, str] = field(default_factory=dict)
+
+
+def render(recipe: Recipe, replaced: Mapping[str, Sequence[str]] | None = None, lock: str = "") -> str:
     """The bake file.
 
     Args:
-        environment: the names of set variables.
-        left: the archives of the targets `REPORT`, `RESULTS` and `ASKED`.
-        known: references of stages that a registry has.
-        kept: references to which other stages go.
-        replaced: of images that do not link the app onto their base image, the packages and files of it that the app replaces. They
-            start from the stage with the app's packages.
+        replaced: by image, the packages and files of its base image that the app replaces. Such an image starts from the stage with
+            the app's packages.
         lock: the inputs of the images, for a label.
     """
-    values, replaced = inputs.values, replaced or {}
-    base, stages = _contexts(inputs, known)
-    common = _common(inputs, names, services, environment, base | stages)
-    before, tested = "slim-" if inputs.slim else "", values.tests
-    targets: dict[str, Any] = {
-        REPORT: {**common, "target": f"{before}{REPORT}", "output": [exported.output(left[REPORT])]}
-    }
-    if tested:
-        targets[RESULTS] = {**common, "target": f"{before}{RESULTS}", "output": [exported.output(left[RESULTS])]}
-    elif values.downstream_workspace:  # built all the same, without output
-        targets[RESULTS] = {**common, "target": "downstream-built", "output": ["type=cacheonly"]}
-    if tested and not kept:  # a cache gets all stages: whoever mends the test builds on them
-        targets[TESTS] = {**common, "target": PASSED, "output": ["type=cacheonly"]}
-    first = [*targets]
-    if tested:
-        targets[FAILED] = {**common, "target": FAILED, "output": [exported.output(left[RESULTS])]}
-    targets[ASKED] = {**common, "target": ASKED, "output": [exported.output(left[ASKED])]}
+    inputs, names, replaced = recipe.inputs, recipe.names, replaced or {}
+    base, stages = _contexts(recipe)
+    common = _common(recipe, base | stages)
+    targets = _report_targets(recipe, common)
+    groups = {PACKAGES: {"targets": [*targets, *(f"keep-{stage}" for stage in recipe.pushed_stages)]}}
+    if inputs.values.tests:
+        targets[FAILED] = {**common, "target": FAILED, "output": [exported.output(recipe.archives[RESULTS])]}
+    targets[ASKED] = {**common, "target": ASKED, "output": [exported.output(recipe.archives[ASKED])]}
     for stage in inputs.stages:
         targets[stage] = {**common, "target": stage}
-    targets |= _adopted(inputs, names, services, environment, known)
-    for stage, reference in kept.items():
+    targets |= _base_targets(recipe)
+    for stage, reference in recipe.pushed_stages.items():
         output = f"type=image,name={reference},push=true,{COMPRESSION}"
-        own = targets[BASE] if stage == BASE else {**common, "target": stage}
-        targets[f"keep-{stage}"] = {**own, "output": [output]}
-    for target in names.targets:
-        targets[target] = {
-            "context": str(inputs.empty),
-            "dockerfile-inline": _dockerfile(target, inputs, target not in replaced),
-            "platforms": list(names.platforms),
-            "contexts": base
-            | {name: stages.get(name, f"target:{name}") for name in _used(target, target not in replaced)},
-            "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
-            "labels": {**_labels(inputs, names.app, target, replaced.get(target, ())), LOCK: lock},
-            "tags": names.tags(target),
-            "output": [_output(names)],
-        }
-    groups = {PACKAGES: {"targets": [*first, *(f"keep-{stage}" for stage in kept)]}}
-    return json.dumps(_literal({"group": groups, "target": targets}), indent=2) + "\n"
+        stage_target = targets[BASE] if stage == BASE else {**common, "target": stage}
+        targets[f"keep-{stage}"] = {**stage_target, "output": [output]}
+    for target in inputs.targets:
+        linked = target not in replaced
+        contexts = base | {name: stages.get(name, f"target:{name}") for name in _joined_stages(target, linked)}
+        labels = {**_labels(inputs, names.app, target, replaced.get(target, ())), LOCK: lock}
+        targets[target] = _image(recipe, target, linked, contexts, labels)
+    return _text({"group": groups, "target": targets})
 
 
-def render_desk(
-    inputs: Inputs, names: Names, services: Services, environment: Iterable[str], left: Path, known: Mapping[str, str]
-) -> str:
-    """The bake file of the image for `rosml dev`. It names no commit: an image with the same content has the same digest.
+def _report_targets(recipe: Recipe, common: Mapping[str, Any]) -> dict[str, Any]:
+    """The targets that build and test the packages, and leave reports."""
+    inputs, archives = recipe.inputs, recipe.archives
+    before, tested = "slim-" if inputs.slim else "", inputs.values.tests
+    targets = {REPORT: {**common, "target": f"{before}{REPORT}", "output": [exported.output(archives[REPORT])]}}
+    if tested:
+        targets[RESULTS] = {**common, "target": f"{before}{RESULTS}", "output": [exported.output(archives[RESULTS])]}
+    elif inputs.values.downstream_workspace:  # built all the same, without output
+        targets[RESULTS] = {**common, "target": "downstream-built", "output": ["type=cacheonly"]}
+    if tested and not recipe.pushed_stages:  # a cache gets all stages: whoever corrects the test builds on them
+        targets[TESTS] = {**common, "target": PASSED, "output": ["type=cacheonly"]}
+    return targets
 
-    Args:
-        environment: the names of set variables.
-        left: the archive of the target `ASKED`.
-        known: references of stages that a registry has.
-    """
-    base, stages = _contexts(inputs, known)
-    common = _common(inputs, names, services, environment, base | stages)
-    targets = {
-        ASKED: {**common, "target": ASKED, "output": [exported.output(left)]},
-        **_adopted(inputs, names, services, environment, known),
-        f"{DESK}-stage": {**common, "target": DESK},
-        DESK: {
-            "context": str(inputs.empty),
-            "dockerfile-inline": _dockerfile(DESK, inputs, linked=False),
-            "platforms": list(names.platforms),
-            "contexts": {DESK: f"target:{DESK}-stage"},
-            "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(DESK, inputs)},
-            "labels": {TITLE: f"{names.app} ({DESK})", BASE_NAME: inputs.base.name, BASE_DIGEST: inputs.base.digest},
-            "tags": names.tags(DESK),
-            "output": [_output(names)],
-        },
+
+def _image(
+    recipe: Recipe, target: str, linked: bool, contexts: Mapping[str, str], labels: Mapping[str, str]
+) -> dict[str, Any]:
+    inputs, names = recipe.inputs, recipe.names
+    return {
+        "context": str(inputs.empty),
+        "dockerfile-inline": _dockerfile(target, inputs, linked),
+        "platforms": list(names.platforms),
+        "contexts": contexts,
+        "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
+        "labels": labels,
+        "tags": names.tags(target),
+        "output": [names.loading if names.loads else f"type=image,push=true,{COMPRESSION}"],
     }
-    return json.dumps(_literal({"target": targets}), indent=2) + "\n"
 
 
-def _output(names: Names) -> str:
-    """The builder's output of an image: into Docker, or to a registry."""
-    return names.loading if names.loads else f"type=image,push=true,{COMPRESSION}"
+def render_shell_image(recipe: Recipe) -> str:
+    """The bake file of the image for `rosml dev`. It names no commit: an image with the same content has the same digest."""
+    inputs = recipe.inputs
+    base, stages = _contexts(recipe)
+    common = _common(recipe, base | stages)
+    labels = {
+        TITLE: f"{recipe.names.app} ({DESK})",
+        BASE_NAME: inputs.base.name,
+        BASE_DIGEST: inputs.base.digest,
+    }
+    targets = {
+        ASKED: {**common, "target": ASKED, "output": [exported.output(recipe.archives[ASKED])]},
+        **_base_targets(recipe),
+        f"{DESK}-stage": {**common, "target": DESK},
+        DESK: _image(recipe, DESK, False, {DESK: f"target:{DESK}-stage"}, labels),
+    }
+    return _text({"target": targets})
 
 
-def _contexts(inputs: Inputs, known: Mapping[str, str]) -> tuple[dict[str, str], dict[str, str]]:
+def _contexts(recipe: Recipe) -> tuple[dict[str, str], dict[str, str]]:
     """The contexts of the base images, and those of stages that a registry has."""
-    stages = {name: f"docker-image://{reference}" for name, reference in known.items()}
-    onto = inputs.base.adopted if BASE not in known else None
-    base = {BASE: f"target:{BASE}" if onto else stages.pop(BASE, f"docker-image://{inputs.base.reference}")}
+    inputs, cached = recipe.inputs, recipe.cached_stages
+    stages = {name: f"docker-image://{reference}" for name, reference in cached.items()}
+    built_here = inputs.base.adopted and BASE not in cached
+    base = {BASE: f"target:{BASE}" if built_here else stages.pop(BASE, f"docker-image://{inputs.base.reference}")}
     if inputs.slim:
         base["slim"] = f"docker-image://{inputs.slim.reference}"
-    return base | {name: f"target:{_with_addons(name)}" for name in _joined(inputs)}, stages
+    return base | {name: f"target:{_with_addons(name)}" for name in _bases_with_addons(inputs)}, stages
 
 
-def _common(
-    inputs: Inputs, names: Names, services: Services, environment: Iterable[str], contexts: Mapping[str, str]
-) -> dict[str, Any]:
-    """The fields of all targets that are stages of the Dockerfile.
-
-    Args:
-        contexts: beside the scripts and folders.
-    """
-    values = inputs.values
-    common = steps(services, environment, names.platforms)
+def _common(recipe: Recipe, contexts: Mapping[str, str]) -> dict[str, Any]:
+    """The fields of all targets that are stages of the Dockerfile."""
+    inputs, values = recipe.inputs, recipe.inputs.values
+    common = steps(recipe.services, recipe.environment, recipe.names.platforms)
     if values.parallel_jobs:  # as a secret: the result does not depend on it, so steps need not run again
         common["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
     folders = {name: str(path) for name, path in inputs.contexts.items()}
@@ -231,26 +226,24 @@ def _common(
             "SKIP_KEYS": values.skip_keys,
             "ROSDEP_DAY": f"{datetime.now(UTC):%F}",
             "ROS_DISTRO": inputs.distribution,
-            "CONDITIONS": inputs.conditions or inputs.distribution,
+            "CONDITIONS": inputs.conditions,
             "MANIFESTS": "changed" if inputs.hooked else "manifests",
             "DOWNSTREAM": "downstream-results" if values.downstream_workspace else "nothing",
         },
     }
 
 
-def _adopted(
-    inputs: Inputs, names: Names, services: Services, environment: Iterable[str], known: Mapping[str, str]
-) -> dict[str, Any]:
-    """The targets that join add-ons to base images, or install ROS on one; none of the latter if it has ROS, or if a registry has the
-    result."""
+def _base_targets(recipe: Recipe) -> dict[str, Any]:
+    """The targets that install ROS on a base image without it, or join add-ons to base images."""
+    inputs, services = recipe.inputs, recipe.services
     # Some stages run on the builder's own platform, whatever the app's is.
-    every = [*dict.fromkeys([*names.platforms, f"linux/{native_architecture()}"])]
-    found = {_with_addons(name): _joining(base, inputs, every) for name, base in _joined(inputs).items()}
-    onto = inputs.base.adopted
-    if onto is None or BASE in known:
-        return found
-    own = steps(services, environment, every)
-    return adopted.base_targets(onto, BASE, own, inputs.empty, adopted.stage(services, onto))
+    platforms = [*dict.fromkeys([*recipe.names.platforms, f"linux/{native_architecture()}"])]
+    ros = inputs.base.adopted
+    if ros is None or BASE in recipe.cached_stages:
+        with_addons = _bases_with_addons(inputs)
+        return {_with_addons(name): _joining(base, inputs, platforms) for name, base in with_addons.items()}
+    common = steps(services, recipe.environment, platforms)
+    return adopted.base_targets(ros, BASE, common, inputs.empty, adopted.stage(services, ros))
 
 
 def _with_addons(name: str) -> str:
@@ -258,8 +251,8 @@ def _with_addons(name: str) -> str:
     return f"{name}-with-addons"
 
 
-def _joined(inputs: Inputs) -> dict[str, Base]:
-    """The base images with add-ons, by the names of their contexts."""
+def _bases_with_addons(inputs: Inputs) -> dict[str, Base]:
+    """By the names of their contexts."""
     return {name: base for name, base in ((BASE, inputs.base), ("slim", inputs.slim)) if base and base.addons}
 
 
@@ -275,34 +268,25 @@ def _joining(base: Base, inputs: Inputs, platforms: Sequence[str]) -> dict[str, 
     }
 
 
-def render_base(
-    base: Base,
-    services: Services,
-    environment: Iterable[str],
-    platforms: Iterable[str],
-    tag: str,
-    output: str,
-    empty: Path,
-) -> str:
+def render_base(base: Base, services: Services, common: Mapping[str, Any], tag: str, output: str, empty: Path) -> str:
     """The bake file of a base image that gets ROS, without an app.
 
     Args:
-        environment: the names of set variables.
+        common: the result of `steps`.
         tag: its full name; empty if it gets none.
-        output: the builder's output.
+        output: in buildx's words.
         empty: a folder without files.
     """
     assert base.adopted
-    onto, own = base.adopted, steps(services, environment, platforms)
-    targets = adopted.base_targets(onto, BASE, own, empty, adopted.stage(services, onto))
-    said = targets[BASE]["labels"] | {TITLE: f"{base.adopted.image.target} on {base.name}"}
-    said |= {BASE_NAME: base.name, BASE_DIGEST: base.digest}
-    targets[BASE] |= {"tags": [tag] if tag else [], "output": [output], "labels": said}
-    return json.dumps(_literal({"target": targets}), indent=2) + "\n"
+    targets = adopted.base_targets(base.adopted, BASE, common, empty, adopted.stage(services, base.adopted))
+    labels = targets[BASE]["labels"] | {TITLE: f"{base.adopted.image.target} on {base.name}"}
+    labels |= {BASE_NAME: base.name, BASE_DIGEST: base.digest}
+    targets[BASE] |= {"tags": [tag] if tag else [], "output": [output], "labels": labels}
+    return _text({"target": targets})
 
 
 def steps(services: Services, environment: Iterable[str], platforms: Iterable[str]) -> dict[str, Any]:
-    """The common fields of all targets with steps."""
+    """The common fields of all targets with steps. `environment`: the names of set variables."""
     secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
     if services.ca_bundle:
         secrets.append(f"type=file,id=ca-bundle,src={services.ca_bundle}")
@@ -315,6 +299,10 @@ def mirrors_with_a_password(environment: Mapping[str, str]) -> list[str]:
     return [name for name in _MIRRORS.values() if "@" in environment.get(name, "").partition("?")[0]]
 
 
+def _text(content: Mapping[str, Any]) -> str:
+    return json.dumps(_literal(content), indent=2) + "\n"
+
+
 def _literal(value: Any) -> Any:
     """A value with escapes, so that bake expands nothing."""
     if isinstance(value, str):
@@ -325,21 +313,20 @@ def _literal(value: Any) -> Any:
 
 
 def _variables(target: str, inputs: Inputs) -> dict[str, str]:
-    """The variables of an image that its base image does not have."""
+    """The variables of an image that its base image does not have, as arguments of its Dockerfile."""
     values = inputs.values
-    found = {"WORKSPACE": "/docker-ros/ws"}
-    base = inputs.slim if target == SLIM and inputs.slim else inputs.base
-    if inputs.distribution != base.environment.get("ROS_DISTRO"):
-        found["ROS_DISTRO"] = inputs.distribution
+    variables = {"WORKSPACE": "/docker-ros/ws"}
+    if inputs.distribution != inputs.base_of(target).environment.get("ROS_DISTRO"):
+        variables["ROS_DISTRO"] = inputs.distribution
     if values.rmw_implementation:
-        found["RMW_IMPLEMENTATION"] = values.rmw_implementation
+        variables["RMW_IMPLEMENTATION"] = values.rmw_implementation
     if target not in (DESK, "dev"):
-        found["DEFAULT_CMD"] = values.command
-    return {f"APP_{name}": value for name, value in found.items()}
+        variables["DEFAULT_CMD"] = values.command
+    return {f"APP_{name}": value for name, value in variables.items()}
 
 
-def _used(target: str, linked: bool) -> tuple[str, ...]:
-    """The stages that the Dockerfile of an image names: the builder makes all of its contexts, also those that no line names.
+def _joined_stages(target: str, linked: bool) -> tuple[str, ...]:
+    """The stages that an image's Dockerfile names: the builder makes all contexts, also those that no line names.
 
     Args:
         linked: as in `_dockerfile`.
@@ -351,15 +338,19 @@ def _used(target: str, linked: bool) -> tuple[str, ...]:
 
 
 def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:
-    """The Dockerfile that joins an image without running anything. Values are arguments, as they may have several lines."""
+    """The Dockerfile that joins an image without running anything. Values are arguments, as they may have several lines.
+
+    Args:
+        linked: the app is a layer on the base image, and not on the stage with its packages.
+    """
     lines, command = [f"FROM {DESK if target == DESK else 'workspace'}"], ["bash"]
     if target not in (DESK, "dev"):
         before = "slim-" if target == SLIM else ""
         base = (target if before else "base") if linked else f"{before}runtime"
         lines = [f"FROM {base}", f"COPY --link --from={before}app / /"]
-        own = inputs.slim if target == SLIM and inputs.slim else inputs.base
-        if not linked and own.user:  # steps ran as root there
-            lines.append(f"USER {own.user}")
+        user = inputs.base_of(target).user
+        if not linked and user:  # steps ran as root there
+            lines.append(f"USER {user}")
         # bash becomes a simple command, so that this gets the signals.
         command = ["bash", "-c", 'exec bash -c "$DEFAULT_CMD"']
     for name in _variables(target, inputs):
@@ -368,12 +359,12 @@ def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:
 
 
 def _labels(inputs: Inputs, name: str, target: str, replaced: Sequence[str]) -> dict[str, str]:
-    base = inputs.slim if target == SLIM and inputs.slim else inputs.base
+    base = inputs.base_of(target)
     return {
         TITLE: name if target == "run" else f"{name} ({target})",
         BASE_NAME: base.name,
         BASE_DIGEST: base.digest,
         REVISION: inputs.commit,
         APP: target,
-        **({REPLACED: " ".join(replaced[:NAMED])} if replaced else {}),
+        **({REPLACED: " ".join(replaced[:NAMES_IN_LABEL])} if replaced else {}),
     }

@@ -24,13 +24,12 @@ END = 1 << 16
 """The most characters to read of a command line or a test's output."""
 
 NAMES = 16
-"""The most files that a command line may name."""
+"""The most files of a command line that are looked at."""
 
 UNCOLLECTED = "collection failure"
 """pytest's message about a module that it cannot import."""
 
 NOT_COLLECTED = "its tests could not be collected"
-"""The same in our words."""
 
 SHOWN = 160
 """The most characters to show of a failed test's message."""
@@ -45,16 +44,11 @@ class Tests:
     failures: tuple[str, ...] = ()
 
 
-def add(one: Tests, other: Tests) -> Tests:
-    """The sum of both."""
-    return total((one, other))
-
-
-def total(found: Iterable[Tests]) -> Tests:
-    """The sum of all. Only the first MOST failures have a line each."""
+def total(results: Iterable[Tests]) -> Tests:
+    """The sum. Only the first MOST failures have a line each."""
     count = skipped = more = 0
     failures: list[str] = []
-    for tests in found:
+    for tests in results:
         count, skipped = count + tests.count, skipped + tests.skipped
         kept = tests.failures[: MOST - len(failures)]
         failures += kept
@@ -68,39 +62,39 @@ def read(folder: Path) -> Tests:
     If the program of a CTest test writes a JUnit file, the tests in it count instead. The file `failed` lists tests without a
     report, such as tests that do not build. Its lines `PACKAGE: …` count if no test of that package failed.
     """
-    found = total(_package(path) for path in sorted(folder.glob("*")) if path.is_dir())
+    reported = total(_package(path) for path in sorted(folder.glob("*")) if path.is_dir())
     if not (folder / FAILED).is_file():
-        return found
+        return reported
     lines = (folder / FAILED).read_text(errors="replace").split("\n")
-    told = {line.partition(": ")[0] for line in found.failures}
-    others = tuple(clean for line in lines if (clean := _clean(line)) and clean.partition(": ")[0] not in told)
-    return add(found, Tests(len(others), 0, others))
+    failed_packages = {line.partition(": ")[0] for line in reported.failures}
+    others = tuple(text for line in lines if (text := _clean(line)) and text.partition(": ")[0] not in failed_packages)
+    return total((reported, Tests(len(others), 0, others)))
 
 
 def _package(folder: Path) -> Tests:
-    found: list[Tests] = []
-    reports: set[str] = set()
-    failed: set[str] = set()
+    results: list[Tests] = []
+    passed_reports: set[str] = set()
+    failed_reports: set[str] = set()
     ctest: list[ElementTree.Element] = []
     for path in sorted(path for path in folder.rglob("*.xml") if path.is_file()):
         try:
             root = ElementTree.parse(path).getroot()
         except ElementTree.ParseError:
             text = f"{folder.name}: {path.name} is no XML: its program was ended"
-            found.append(Tests(1, 0, (text,)))
+            results.append(Tests(1, 0, (text,)))
         except (LookupError, ValueError):  # Python does not know the encoding, or expat refuses it
             text = f"{folder.name}: {path.name} has an encoding that cannot be read: write it in UTF-8"
-            found.append(Tests(1, 0, (text,)))
+            results.append(Tests(1, 0, (text,)))
         else:
             if root.tag == "Site":
-                ctest += root.iter("Test")
+                ctest += (test for test in root.iter("Test") if "Status" in test.attrib)
                 continue
             _drop_namespaces(root)
             tests = _junit(root, folder.name)
-            (failed if tests.failures else reports).add(f"/{folder.name}/{path.relative_to(folder)}")
-            found.append(tests)
-    found += [_ctest(test, folder.name, reports, failed) for test in ctest if "Status" in test.attrib]
-    return total(found)
+            (failed_reports if tests.failures else passed_reports).add(f"/{folder.name}/{path.relative_to(folder)}")
+            results.append(tests)
+    results += [_ctest(test, folder.name, passed_reports, failed_reports) for test in ctest]
+    return total(results)
 
 
 def _drop_namespaces(root: ElementTree.Element) -> None:
@@ -113,14 +107,14 @@ def _drop_namespaces(root: ElementTree.Element) -> None:
 def _junit(root: ElementTree.Element, package: str) -> Tests:
     count = skipped = 0
     failures = []
-    for suite in _without_tests(root):  # a suite that could not begin has only numbers
+    for suite in _innermost_without_tests(root):  # a suite that could not begin has only numbers
         if any(suite.get(kind, "0") not in ("", "0") for kind in _WRONG):
             count += 1
             failures.append(_failure(package, suite.get("name", ""), "failed, and its report names no test"))
     for case in root.iter("testcase"):
         count += 1
         skipped += case.find("skipped") is not None
-        wrong = next((found for kind in ("failure", "error") if (found := case.find(kind)) is not None), None)
+        wrong = next((item for kind in ("failure", "error") if (item := case.find(kind)) is not None), None)
         if wrong is not None:
             name = ".".join(filter(None, (case.get("classname"), case.get("name"))))
             failures.append(_failure(package, name, _reason(wrong.get("message") or "", wrong.text or "")))
@@ -135,8 +129,7 @@ def _reason(message: str, text: str) -> str:
     return f"{NOT_COLLECTED}: {lines[-1][1:].strip()}" if lines else NOT_COLLECTED
 
 
-def _without_tests(root: ElementTree.Element) -> Iterator[ElementTree.Element]:
-    """The innermost suites without a test."""
+def _innermost_without_tests(root: ElementTree.Element) -> Iterator[ElementTree.Element]:
     around = {child: parent for parent in root.iter() for child in parent}
     full: set[ElementTree.Element] = set()
     for kind in ("testcase", "testsuite"):
@@ -148,24 +141,20 @@ def _without_tests(root: ElementTree.Element) -> Iterator[ElementTree.Element]:
     yield from (suite for suite in root.iter("testsuite") if suite not in full)
 
 
-def _ctest(test: ElementTree.Element, package: str, reports: set[str], failed: set[str]) -> Tests:
-    """A test of CTest; nothing if its own JUnit file has the same result.
-
-    Args:
-        reports, failed: JUnit files without and with a failure.
-    """
-    values = dict(_measured(test))
+def _ctest(test: ElementTree.Element, package: str, passed_reports: set[str], failed_reports: set[str]) -> Tests:
+    """A test of CTest; nothing if its own JUnit file has the same result."""
+    values = {item.get("name", ""): item.findtext("Value", "") for item in test.iter("NamedMeasurement")}
     status = test.get("Status")
     skipped = status == "notrun" and re.match("SKIP|Disabled", values.get("Completion Status", "")) is not None
     right = status == "passed" or skipped
     written = set(_written(test.findtext("FullCommandLine", ""), package))
-    if written & failed or (right and written & reports):
+    if written & failed_reports or (right and written & passed_reports):
         return Tests()
     if right:
         return Tests(1, int(skipped))
     output = [line for line in test.findtext("Results/Measurement/Value", "")[-END:].splitlines() if _clean(line)]
-    said = output[-1] if output else values.get("Exit Code", "")
-    return Tests(1, 0, (_failure(package, test.findtext("Name", ""), said),))
+    reason = output[-1] if output else values.get("Exit Code", "")
+    return Tests(1, 0, (_failure(package, test.findtext("Name", ""), reason),))
 
 
 def _written(command: str, package: str) -> Iterator[str]:
@@ -176,13 +165,8 @@ def _written(command: str, package: str) -> Iterator[str]:
             yield command[begin.start() : begin.start() + end.end()]
 
 
-def _measured(test: ElementTree.Element) -> Iterator[tuple[str, str]]:
-    for item in test.iter("NamedMeasurement"):
-        yield item.get("name", ""), item.findtext("Value", "")
-
-
-def _failure(package: str, name: str, said: str) -> str:
-    return f"{package}: {_clean(name)}: {_clean(said)}".rstrip(": ")
+def _failure(package: str, name: str, reason: str) -> str:
+    return f"{package}: {_clean(name)}: {_clean(reason)}".rstrip(": ")
 
 
 def _clean(text: str) -> str:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+
 from pydantic import ConfigDict
 
 from rosml.base.shapes import Shape
 from rosml.containerize import lock
-from rosml.containerize.build.report import Answer
+from rosml.containerize.build.report import Answer, Dependencies, Facts
 from rosml.containerize.names import SLIM
 
 
@@ -45,5 +47,30 @@ class Outcome(Shape):
     @property
     def replacing(self) -> dict[str, list[str]]:
         """The images that do not link the app onto their base image, with what it replaces there."""
-        found = {"run": self.replaced, SLIM: self.slim_replaced}
-        return {target: names for target, names in found.items() if names}
+        replaced = {"run": self.replaced, SLIM: self.slim_replaced}
+        return {target: names for target, names in replaced.items() if names}
+
+
+def of_reports(dependencies: Dependencies, apps: Sequence[Facts], slim_apps: Sequence[Facts] | None) -> Outcome:
+    """The outcome that rosml's own steps reported, for each platform. `slim_apps` is None if there is no slim image."""
+    lost = {line for app in apps for line in app.lost}
+    every = [*apps, *(slim_apps or ())]
+    return Outcome(
+        packages=[*dependencies.packages],
+        keys=dependencies.keys,
+        installed=apps[0].packages,
+        changed=apps[0].changed,
+        replaced=_replaced(apps),
+        slim_replaced=None if slim_apps is None else _replaced(slim_apps),
+        outside=apps[0].outside,
+        lost=sorted(lost),
+        slim_lost=sorted({line for app in slim_apps or () for line in app.lost} - lost),
+        absent=sorted({line for app in every for line in app.absent}),
+        forgotten={key: place for app in apps for key, place in app.forgotten.items()},
+        added=lock.added(app.model_dump() for app in every),
+    )
+
+
+def _replaced(apps: Iterable[Facts]) -> list[str]:
+    """The packages and files of the base image that an app's packages replace or remove, on any platform."""
+    return sorted({name for app in apps for name in (*app.replaced, *app.removed)})

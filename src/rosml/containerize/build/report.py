@@ -6,8 +6,8 @@ The tests of the packages write the other one. Only the failures in it count.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 from typing import TypeVar
 
@@ -18,19 +18,15 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
 from rosml.base.shapes import Shape
 from rosml.containerize import lock
-from rosml.containerize.build import attachments as contents
-from rosml.containerize.build import junit
+from rosml.containerize.build import attachments, junit
 from rosml.containerize.names import SLIM
 from rosml.machine import exported
 
 DEPENDENCIES = "dependencies.json"
 """The file with the packages' dependencies, written by components/containerize/identify.py."""
 
-APP = "app.json"
-"""The file with the changes of an app to its base image, written by components/containerize/app_files.py."""
-
-SLIM_APP = "slim.json"
-"""The same file for the slim image."""
+APP, SLIM_APP = "app.json", "slim.json"
+"""The files with the app's changes to the base images, written by components/containerize/app_files.py."""
 
 DESCRIBED = ("run", SLIM)
 """Images with an SBOM and a list of files."""
@@ -42,6 +38,9 @@ KINDS = (TARGET, SLIM, DOWNSTREAM)
 
 class _Model(Shape):
     model_config = ConfigDict(strict=True, extra="forbid")
+
+
+_Document = TypeVar("_Document", bound=_Model)
 
 
 class Answer(_Model):
@@ -71,8 +70,7 @@ class Facts(_Model):
     Attributes:
         packages: new packages of the operating system, with their architecture.
         replaced: packages of the base image that it replaces or removes.
-        removed: files of the base image that it removes.
-        changed: files of the base image that its packages change.
+        changed, removed: files of the base image that its packages change, and that it removes.
         built: ROS packages in the install space.
         lost: dependencies of files in the install space that the build had and the image lacks.
         absent: dependencies that the build lacked, too.
@@ -96,50 +94,41 @@ class Facts(_Model):
 
 
 @dataclass(frozen=True)
-class Tests:
+class TestResults:
     """The results of an app's tests: of its packages, of these in the slim image, and of packages that use them."""
 
-    target: junit.Tests
-    slim: junit.Tests
-    downstream: junit.Tests
+    target: junit.Tests = field(default_factory=junit.Tests)
+    slim: junit.Tests = field(default_factory=junit.Tests)
+    downstream: junit.Tests = field(default_factory=junit.Tests)
 
 
-def place(platform: str, platforms: Sequence[str]) -> str:
+def _place(platform: str, platforms: Sequence[str]) -> str:
     """The folder of a platform in an archive; empty if there is only one platform."""
     return "" if len(platforms) == 1 else platform.replace("/", "_")
 
 
-class Said:
-    """The reports of rosml's own steps about an app.
+@dataclass(frozen=True)
+class AppReport:
+    """The report of rosml's own steps about an app.
 
-    Args:
-        archive: the steps' archive.
-        folder: a folder for its files; it belongs to this class.
-        platforms: the platforms of the build.
-
-    Raises:
-        RosmlError: the archive is missing or damaged.
+    Attributes:
+        folder: the files of the report.
+        places: a folder in it for each platform.
     """
 
-    def __init__(self, archive: Path, folder: Path, platforms: Sequence[str]) -> None:
-        self._folder = folder
-        self._places = [Path(place(platform, platforms)) for platform in platforms]
-        self._platforms = dict(zip(platforms, self._places, strict=True))
-        refused = exported.unpack(archive, folder, limits=exported.OURS)
-        for name, reason in refused.items():
-            raise RosmlError(f"what the build says of the app is damaged: {name}: {reason}", "run it again")
+    folder: Path
+    places: Mapping[str, Path]
 
     def dependencies(self) -> Dependencies:
-        """The packages' dependencies."""
-        return self._model(Dependencies, self._places[0] / DEPENDENCIES)
+        return self._model(Dependencies, next(iter(self.places.values())) / DEPENDENCIES)
 
     def apps(self) -> list[Facts]:
         """The app's changes, for each platform."""
-        return [self._model(Facts, folder / APP) for folder in self._places]
+        return [self._model(Facts, place / APP) for place in self.places.values()]
 
     def slim_apps(self) -> list[Facts]:
         """The app's changes to the slim image, for each platform."""
-        return [self._model(Facts, folder / SLIM_APP) for folder in self._places]
+        return [self._model(Facts, place / SLIM_APP) for place in self.places.values()]
 
     def detail(self, name: str) -> bytes:
         """The contents of an image, by a name of `details`.
@@ -147,24 +136,24 @@ class Said:
         Raises:
             RosmlError: the build did not report them.
         """
-        return exported.read(self._folder, self._details()[name])
+        return exported.read(self.folder, self._paths()[name])
 
     def details(self) -> dict[str, bytes]:
         """The contents of the images, by target, platform and kind: `run/linux/amd64/files.gz`."""
-        there = {name: path for name, path in self._details().items() if (self._folder / path).exists()}
-        return {name: exported.read(self._folder, path) for name, path in there.items()}
+        present = {name: path for name, path in self._paths().items() if (self.folder / path).exists()}
+        return {name: exported.read(self.folder, path) for name, path in present.items()}
 
-    def _details(self) -> dict[str, str]:
+    def _paths(self) -> dict[str, str]:
         return {
-            f"{target}/{platform}/{kind}": str(folder / f"contents-{target}" / kind)
+            f"{target}/{platform}/{kind}": str(place / f"contents-{target}" / kind)
             for target in DESCRIBED
-            for platform, folder in self._platforms.items()
-            for kind in contents.KINDS
+            for platform, place in self.places.items()
+            for kind in attachments.KINDS
         }
 
-    def _model(self, model: type[_Found], path: Path) -> _Found:
+    def _model(self, model: type[_Document], path: Path) -> _Document:
         try:
-            return model.model_validate_json(untrusted.json_text(exported.read(self._folder, str(path))))
+            return model.model_validate_json(untrusted.json_text(exported.read(self.folder, str(path))))
         except ValueError as error:
             reason = first_of(error) if isinstance(error, ValidationError) else error
             text = f"what the build says of the app is damaged: {path}: {reason}"
@@ -173,32 +162,34 @@ class Said:
             ) from None
 
 
-_Found = TypeVar("_Found", bound=_Model)
+def of_app(archive: Path, folder: Path, platforms: Sequence[str]) -> AppReport:
+    """Unpacks the archive of rosml's own steps into a folder, which belongs to this module.
+
+    Raises:
+        RosmlError: the archive is missing or damaged.
+    """
+    refused = exported.unpack(archive, folder, limits=exported.OURS)
+    for name, reason in refused.items():
+        raise RosmlError(f"what the build says of the app is damaged: {name}: {reason}", "run it again")
+    return AppReport(folder, {platform: Path(_place(platform, platforms)) for platform in platforms})
 
 
-def tests(archive: Path, folder: Path, platforms: Sequence[str]) -> Tests:
-    """Reads the test reports, and leaves them in a folder for people.
+def of_tests(archive: Path, folder: Path, platforms: Sequence[str]) -> TestResults:
+    """Reads the test reports, and leaves them in a folder for people: if there are several platforms, in a folder for each.
 
     If a report is no file, or too large, it counts as a failed test.
-
-    Args:
-        archive: the tests' archive.
-        folder: the folder for the reports; if there are several platforms, each has its own folder in it.
 
     Raises:
         RosmlError: the archive is missing, damaged or too large.
     """
-    places = [place(platform, platforms) for platform in platforms]
+    places = [_place(platform, platforms) for platform in platforms]
     refused = exported.unpack(archive, folder, _is_report)
-    found = dict.fromkeys(KINDS, junit.Tests())
-    for kind in KINDS:
-        for below in places:
-            found[kind] = junit.add(found[kind], junit.read(folder / below / kind))
+    results = {kind: [junit.read(folder / place / kind) for place in places] for kind in KINDS}
     for name, reason in refused.items():
         parts = name.split("/")[len(platforms) > 1 :]
         kind = parts[0] if parts and parts[0] in KINDS else TARGET
-        found[kind] = junit.add(found[kind], junit.Tests(1, 0, (f"{name}: {reason}",)))
-    return Tests(found[TARGET], found[SLIM], found[DOWNSTREAM])
+        results[kind].append(junit.Tests(1, 0, (f"{name}: {reason}",)))
+    return TestResults(*(junit.total(results[kind]) for kind in KINDS))
 
 
 def _is_report(path: PurePosixPath) -> bool:

@@ -11,7 +11,7 @@ import hashlib
 import json
 import os
 import stat
-from collections.abc import Container, Iterable, Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -74,33 +74,42 @@ class Keys:
             **{name: f"{name}-{self.app}" for name in ("app", "workspace", *(["slim-app"] if self.slim else []))},
         }
 
+    @property
+    def report(self) -> str:
+        """The tag of the report."""
+        return f"{REPORT}-{self.app}"
 
-def keys(
-    given: Mapping[str, Any],
-    dependencies: Iterable[Path],
-    upstream: Path,
-    target: Path,
-    downstream: Path,
-    arguments: str,
-    tests: str,
-    hooked: bool,
-) -> Keys:
-    """The keys of an app.
 
-    Args:
-        given: values that decide which packages are installed, and from where.
+@dataclass(frozen=True)
+class StageInputs:
+    """All that decides the content of stages.
+
+    Attributes:
+        values: values that decide which packages are installed, and from where.
         dependencies: folders that decide the same.
         upstream, target, downstream: folders with sources.
         arguments: the arguments of CMake and of colcon.
-        tests: whether tests run.
+        tests: whether tests run, as text.
         hooked: a script changes the sources before their dependencies are read, so all sources decide the dependencies.
     """
-    sources = [tree(folder, SECRET) for folder in (upstream, target)]
-    environment = _digest(given, [tree(folder) for folder in dependencies], sources if hooked else [])
-    built = _digest(environment, sources[0], arguments, sources[1] if hooked else "")
-    app = _digest(built, sources[1], tree(downstream, SECRET), tests)
-    parts = [given.get(name) for name in ("base", "platforms", ADOPTED)]
-    return Keys(environment, built, app, bool(given.get("slim")), _digest(parts) if given.get(ADOPTED) else "")
+
+    values: Mapping[str, Any]
+    dependencies: Sequence[Path]
+    upstream: Path
+    target: Path
+    downstream: Path
+    arguments: str
+    tests: str
+    hooked: bool
+
+    def keys(self) -> Keys:
+        upstream, target = (tree(folder, SECRET) for folder in (self.upstream, self.target))
+        dependencies = [tree(folder) for folder in self.dependencies]
+        environment = _digest(self.values, dependencies, [upstream, target] if self.hooked else [])
+        built = _digest(environment, upstream, self.arguments, target if self.hooked else "")
+        app = _digest(built, target, tree(self.downstream, SECRET), self.tests)
+        base = _digest([self.values.get(name) for name in ("base", "platforms", ADOPTED)])
+        return Keys(environment, built, app, bool(self.values.get("slim")), base if self.values.get(ADOPTED) else "")
 
 
 def tree(folder: Path, without: Container[str] = ()) -> str:
@@ -110,7 +119,7 @@ def tree(folder: Path, without: Container[str] = ()) -> str:
         without: names of files and folders to leave out, at any depth.
     """
     total = hashlib.sha256()
-    for path in _found(folder, without):
+    for path in _paths(folder, without):
         facts = path.lstat()
         total.update(os.fsencode(path.relative_to(folder)) + b"\0")
         if stat.S_ISLNK(facts.st_mode):
@@ -123,7 +132,7 @@ def tree(folder: Path, without: Container[str] = ()) -> str:
     return total.hexdigest()
 
 
-def _found(folder: Path, without: Container[str]) -> Iterator[Path]:
+def _paths(folder: Path, without: Container[str]) -> Iterator[Path]:
     """A folder and everything below it, in an order that does not depend on the disk."""
     for path, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name not in without)
@@ -167,10 +176,6 @@ def form() -> str:
 class Cache:
     """The repository with the stages. Use it in a `with`.
 
-    Args:
-        name: the repository's name, with its registry.
-        ca_bundle: certificates beside the system's.
-
     Raises:
         RosmlError: the name is no repository (exit code 2).
     """
@@ -190,10 +195,9 @@ class Cache:
         self._registry.close()
 
     def reference(self, tag: str) -> str:
-        """The reference of a stage."""
         return f"{self._place.host}/{self._place.repository}:{tag}"
 
-    def found(self, keys: Keys) -> dict[str, str]:
+    def stages(self, keys: Keys) -> dict[str, str]:
         """The stages that the repository has: names, and references by digest.
 
         Raises:
@@ -213,16 +217,13 @@ class Cache:
             if not layers:
                 return None
             content = untrusted.json_object(self._registry.part(self._place.repository, layers[0])) or {}
-            found = Report.model_validate(content)
-            return found if found.form == form() else None
+            report = Report.model_validate(content)
+            return report if report.form == form() else None
         except (RosmlError, ValueError):
             return None
 
     def detail(self, keys: Keys, name: str) -> bytes:
-        """A detail of a build from the same inputs.
-
-        Args:
-            name: its name, as in `keep`.
+        """A detail of a build from the same inputs, by a name as in `keep`.
 
         Raises:
             RosmlError: there is no such detail; or the registry does not answer or refuses.
@@ -230,23 +231,15 @@ class Cache:
         for layer in self._layers(keys):
             if layer.annotations.get(_TITLE) == name:
                 return self._registry.part(self._place.repository, layer)
-        raise RosmlError(f"{self.reference(_tag(keys))} has no {name}", "delete that tag, and build again")
+        raise RosmlError(f"{self.reference(keys.report)} has no {name}", "delete that tag, and build again")
 
     def _layers(self, keys: Keys) -> list[Descriptor]:
         """The layers of a report: the report itself, then details; none if there is no report."""
-        manifest = self._registry.manifest(self._place.repository, _tag(keys))
+        manifest = self._registry.manifest(self._place.repository, keys.report)
         return manifest.layers if manifest and manifest.artifact_type == _TYPE else []
 
     def keep(self, keys: Keys, outcome: Outcome, tests: Tests, details: Mapping[str, bytes]) -> None:
-        """Keeps the report of a build.
-
-        Args:
-            tests: the tests, which passed.
-            details: other files of the build, by name.
-
-        Raises:
-            RosmlError: the registry refuses.
-        """
+        """Keeps the report of a build whose tests passed, and other files of the build, by name."""
         report = Report(form=form(), outcome=outcome, tests=[tests.count, tests.skipped])
         content = oci.encoded(report.model_dump())
         manifest = oci.artifact(_TYPE, content, "application/json")
@@ -254,8 +247,4 @@ class Cache:
             manifest["layers"].append(oci.descriptor(_DETAIL, data) | {"annotations": {_TITLE: name}})
         for data in (oci.EMPTY_BLOB, content, *details.values()):
             self._registry.put_blob(self._place.repository, data)
-        self._registry.put_manifest(self._place.repository, _tag(keys), manifest)
-
-
-def _tag(keys: Keys) -> str:
-    return f"{REPORT}-{keys.app}"
+        self._registry.put_manifest(self._place.repository, keys.report, manifest)

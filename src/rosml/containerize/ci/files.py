@@ -55,28 +55,20 @@ _BLOCK = re.compile(
 
 
 def render(path: str, text: str) -> str:
-    """The new content of a file.
-
-    Args:
-        path: one of the files above.
-        text: its present content.
-
-    Raises:
-        RosmlError: markers are missing.
-    """
+    """The new content of a file, from its present content."""
     blocks = _blocks()[path]
-    found: set[str] = set()
+    written: set[str] = set()
 
     def block(match: re.Match[str]) -> str:
         name = match["name"]
         if name not in blocks:
             return match[0]
-        found.add(name)
+        written.add(name)
         lines = [f"# {name}: written by rosml generate", *blocks[name], f"# /{name}"]
         return "".join(f"{match['indent']}{line}\n" for line in lines)
 
     rendered = _BLOCK.sub(block, text)
-    if missing := sorted(blocks.keys() - found):
+    if missing := sorted(blocks.keys() - written):
         raise RosmlError(
             f"{path}: the marker '# {missing[0]}: written by rosml generate' is missing",
             f"put it back, and '# /{missing[0]}' after it",
@@ -128,7 +120,6 @@ Default = Callable[[Setting], tuple[str, str]]
 
 
 def _inputs(settings: Iterable[Setting], default: Default, *more: str) -> Iterator[str]:
-    """Declarations of inputs."""
     for setting in settings:
         yield f"{setting.input.name}:"
         yield f"  description: {json.dumps(_help(setting, default))}"
@@ -138,11 +129,11 @@ def _inputs(settings: Iterable[Setting], default: Default, *more: str) -> Iterat
 
 def _help(setting: Setting, default: Default) -> str:
     """The help of an input, with its default, unless that has its own line."""
-    item, (value, told) = setting.input, default(setting)
+    item, (value, words) = setting.input, default(setting)
     if item.gone:
         return f"not used: {item.gone}"
-    text = item.help.partition("; ")[0] if value or told or item.name in SECRET else item.help
-    return f"{text} [{told}]" if told else text
+    text = item.help.partition("; ")[0] if value or words or item.name in SECRET else item.help
+    return f"{text} [{words}]" if words else text
 
 
 def _environment(settings: Iterable[Setting]) -> Iterator[str]:

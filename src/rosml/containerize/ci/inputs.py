@@ -16,7 +16,6 @@ class Setting:
     """An input in CI.
 
     Attributes:
-        input: the input.
         github, gitlab: its default, in the forge's words; that of the table if empty.
         server: for inputs whose default is the job's token on GitHub: the input that names a server, and the only server that
             gets the token.
@@ -68,24 +67,24 @@ SECRET = (*app_inputs.SECRET, "registry-password")
 """Inputs that are secrets of the workflow."""
 
 
-def given(environment: Mapping[str, str]) -> dict[str, str]:
-    """The given inputs, by name. If a forge has inputs beside variables, it passes both: `INPUT_TARGET` counts before `TARGET`, and
-    `DEFAULT_TARGET` after it."""
-    found = {}
+def given_inputs(environment: Mapping[str, str]) -> dict[str, str]:
+    """The inputs that somebody gives, by name. If a forge has inputs beside variables, it passes both: `INPUT_TARGET` counts before
+    `TARGET`, and `DEFAULT_TARGET` after it."""
+    texts = {}
     for item in (setting.input for setting in SETTINGS):
         names = (f"INPUT_{item.variable}", item.variable, f"DEFAULT_{item.variable}")
-        if value := next(filter(None, map(environment.get, names)), ""):
-            found[item.name] = value
-    return found
+        if text := next(filter(None, map(environment.get, names)), ""):
+            texts[item.name] = text
+    return texts
 
 
-def flag(name: str, told: Mapping[str, str]) -> bool:
+def flag(name: str, inputs: Mapping[str, str]) -> bool:
     """Whether an input that only CI has is true.
 
     Raises:
         RosmlError: it is neither true nor false (exit code 2).
     """
-    value = told.get(name, "false").lower()
+    value = inputs.get(name, "false").lower()
     if value not in ("true", "false"):
         raise RosmlError(f"{name} is true or false, not {value!r}", f"check {name}", exit_code=2)
     return value == "true"

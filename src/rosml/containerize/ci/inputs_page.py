@@ -1,4 +1,4 @@
-"""The tables of inputs in docs/containerize/, rendered from the table in app_inputs.py between markers."""
+"""The tables of inputs in docs/containerize/, rendered from the table in containerize/inputs.py between markers."""
 
 from __future__ import annotations
 
@@ -17,11 +17,7 @@ PAGES = {"docs/containerize/inputs.md": ("inputs", "gone"), "docs/containerize/c
 
 
 def render(path: str, page: str) -> str:
-    """The page with up-to-date tables.
-
-    Raises:
-        RosmlError: markers are missing.
-    """
+    """The page with up-to-date tables."""
     lines = {"inputs": _inputs, "gone": _gone, "ci": _ci}
     for name in PAGES[path]:
         begin, end = f"<!-- {name}: {_BY} -->\n", f"<!-- /{name} -->"
@@ -53,7 +49,6 @@ def _ci() -> Iterator[str]:
 
 
 def _code(text: str) -> str:
-    """A default in Markdown."""
     return f"`{text}`" if text else ""
 
 

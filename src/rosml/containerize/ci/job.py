@@ -1,7 +1,7 @@
 """`rosml containerize` in CI: reads the commit from GitHub or GitLab, chooses the tags of its images, and reports the result.
 
-The files in `containerize/` and the workflow pass every input as a variable and call `rosml ci`. `SETTINGS` in `ci_inputs.py` has
-their inputs and defaults; `ci_files.py` writes these into the files.
+The files in `containerize/` and the workflow pass every input as a variable and call `rosml ci`. `SETTINGS` in `inputs.py` has
+their inputs and defaults; `files.py` writes these into the files.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from rosml.base.problems import first_of
 from rosml.base.shapes import adapter
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.build import junit
-from rosml.containerize.build.app import App
+from rosml.containerize.build.app import build_images, new_call
 from rosml.containerize.build.report import KINDS, TARGET
 from rosml.containerize.inputs import Values
 from rosml.containerize.lock import Digest
@@ -50,7 +50,6 @@ class Commit:
         branch: the name of its branch, or of a pull request's branch, in small letters, digits and hyphens.
         tag: its git tag, if it has one.
         default: it is of the default branch.
-        folder: the checkout.
     """
 
     branch: str
@@ -70,18 +69,15 @@ def commit(environment: Mapping[str, str]) -> Commit:
         head, ref = environment.get("GITHUB_HEAD_REF", ""), environment.get("GITHUB_REF", "")
         name = environment.get("GITHUB_REF_NAME", "")
         tag = name if environment.get("GITHUB_REF_TYPE") == "tag" else ""
-        known = environment.get("DEFAULT_BRANCH") or (
-            name if environment.get("GITHUB_EVENT_NAME") == "schedule" else ""
-        )
-        default = not head and bool(known) and ref == f"refs/heads/{known}"
+        by_night = name if environment.get("GITHUB_EVENT_NAME") == "schedule" else ""
+        default_branch = environment.get("DEFAULT_BRANCH") or by_night
+        default = not head and bool(default_branch) and ref == f"refs/heads/{default_branch}"
         return Commit(_slug(head or name), tag, default, Path(environment.get("GITHUB_WORKSPACE", ".")))
     if environment.get("GITLAB_CI") == "true":
-        branch = environment.get("CI_COMMIT_BRANCH", "")
+        branch, tag = environment.get("CI_COMMIT_BRANCH", ""), environment.get("CI_COMMIT_TAG", "")
         default = bool(branch) and branch == environment.get("CI_DEFAULT_BRANCH")
         name = environment.get("CI_COMMIT_REF_NAME", "")
-        return Commit(
-            _slug(name), environment.get("CI_COMMIT_TAG", ""), default, Path(environment.get("CI_PROJECT_DIR", "."))
-        )
+        return Commit(_slug(name), tag, default, Path(environment.get("CI_PROJECT_DIR", ".")))
     raise RosmlError("this is no job of GitHub or GitLab", "call 'rosml containerize' here", exit_code=2)
 
 
@@ -90,24 +86,20 @@ def _slug(name: str) -> str:
     return re.sub(r"[^a-z0-9]", "-", name.lower())[:63].strip("-")
 
 
-def tags(target: str, values: Values, what: Commit) -> list[str]:
-    """The tags of an image. Only the default branch moves the tag that the inputs name.
-
-    Args:
-        target: run, dev or slim.
-        values: the inputs.
-        what: the commit.
-    """
+def tags(target: str, values: Values, commit: Commit) -> list[str]:
+    """The tags of an image. Only the default branch moves the tag that the inputs name."""
     end = "" if target == "run" else f"-{target}"
-    own = values.image_tag if target == "run" else values.text(f"{target}-image-tag") or f"{values.image_tag}{end}"
+    main_tag = values.image_tag
+    if end:
+        main_tag = values.named(f"{target}-image-tag") or f"{values.image_tag}{end}"
     latest = values.enable_push_as_latest
-    if what.tag:
-        release = _TAG.sub("-", what.tag)
+    if commit.tag:
+        release = _TAG.sub("-", commit.tag)
         bare = [f"{release}{end}"] if latest or values.image_tag == "latest" else []
-        return [*bare, f"{own}-{release}"]
-    if what.default:
-        return list(dict.fromkeys([own, *([f"latest{end}"] if latest else [])]))
-    return [f"{own}_{what.branch}_ci"]
+        return [*bare, f"{main_tag}-{release}"]
+    if commit.default:
+        return list(dict.fromkeys([main_tag, *([f"latest{end}"] if latest else [])]))
+    return [f"{main_tag}_{commit.branch}_ci"]
 
 
 # ---- Images ----------------------------------------------------------------------------------------------------------
@@ -122,8 +114,6 @@ class Image:
         name: its name without a tag.
         tags: the tags of the commit's images.
         end: the end of its own tags, such as `-arm64`.
-        platforms: its platforms.
-        digest: its digest.
     """
 
     target: str
@@ -142,96 +132,81 @@ class Image:
 _IMAGES = adapter(list[Image])
 
 _MOST = 1 << 20
-"""The most bytes of such a file."""
+"""The most bytes of a file with images."""
 
 
 class Job:
-    """A job of CI. It builds a repository, or makes an index of images of other jobs.
+    """A job of CI. It builds a repository, or makes an index of images of other jobs."""
 
-    Args:
-        values: the inputs of the table.
-        environment: the variables of the process.
-        what: the commit.
-        say: tells the user what begins now.
-    """
-
-    def __init__(self, values: Values, environment: Mapping[str, str], what: Commit, say: Say) -> None:
+    def __init__(self, values: Values, environment: Mapping[str, str], commit: Commit, say: Say) -> None:
         run, dev, slim = map(_complete, (values.image_name, values.dev_image_name, values.slim_image_name))
         self._values = replace(values, image_name=run, dev_image_name=dev, slim_image_name=slim)
         self._names = {"run": run, "dev": dev or run, "slim": slim or run}
-        self._environment, self._what, self._say = environment, what, say
+        self._tags = {target: tuple(tags(target, self._values, commit)) for target in self._names}
+        self._environment, self._commit, self._say = environment, commit, say
         self._platforms = listed_platforms(values.platform)
 
     @property
     def name(self) -> str:
         """The name of this job's artifact and folder."""
-        parts = (self._names["run"], *tags("run", self._values, self._what)[:1], *self._platforms)
+        parts = (self._names["run"], self._tags["run"][0], *self._platforms)
         return "containerize-" + re.sub(r"[^a-z0-9._]+", "-", "-".join(parts).lower())
 
     def build(self, folder: Path, services: Services, out: Path, apart: bool) -> list[Image]:
-        """Builds and tests the images. Keeps reports and `images.json`.
+        """Builds and tests the images.
 
         Args:
             folder: the repository.
-            services: the builder.
             out: the folder for reports and `images.json`.
             apart: each platform gets its own tags, and there is no index.
 
         Raises:
             RosmlError: a step or a test failed.
         """
-        made: list[Image] = []
+        images: list[Image] = []
         shutil.rmtree(out, ignore_errors=True)
         for platforms in [(name,) for name in self._platforms] if apart else [self._platforms]:
             end = f"-{platforms[0].partition('/')[2].replace('/', '-')}" if apart else ""
-            made += self._build(folder, services, out, platforms, end)
-        files.write(out / FILE, json.dumps([asdict(image) for image in made], indent=2) + "\n")
-        return made
+            images += self._build(folder, services, out, platforms, end)
+        files.write(out / FILE, json.dumps([asdict(image) for image in images], indent=2) + "\n")
+        return images
 
     def _build(self, folder: Path, services: Services, out: Path, platforms: tuple[str, ...], end: str) -> list[Image]:
-        wanted = {target: tuple(tags(target, self._values, self._what)) for target in self._names}
         values = replace(
             self._values,
             platform=",".join(platforms),
-            image_tag=wanted["run"][0] + end,
-            dev_image_tag=wanted["dev"][0] + end,
-            slim_image_tag=wanted["slim"][0] + end,
+            image_tag=self._tags["run"][0] + end,
+            dev_image_tag=self._tags["dev"][0] + end,
+            slim_image_tag=self._tags["slim"][0] + end,
             enable_push_as_latest=False,
         )
         if values.push:  # all tags, before the first one moves
             with Registries(services.ca_bundle) as registries:
                 for target in {*listed(values.target)} | ({SLIM} if values.enable_slim else set()):
-                    found = [f"{self._names[target]}:{tag}{end}" for tag in wanted.get(target, ())]
-                    app_base.require_kept(registries, found, platforms)
-        app = App(folder, values, self._environment, services, self._say)
-        shutil.rmtree(app.report, ignore_errors=True)
+                    references = [f"{self._names[target]}:{tag}{end}" for tag in self._tags.get(target, ())]
+                    app_base.require_kept(registries, references, platforms)
+        call = new_call(folder, values, self._environment, services, self._say)
+        shutil.rmtree(call.reports, ignore_errors=True)
         try:
-            built = app.build()
+            result = build_images(call)
         finally:
-            _keep(app.report, out / f"reports{end}")
-        if built.lock:
-            files.write(out / f"containerize{end}.lock", built.lock.text())
-        made = [
-            Image(image.target, self._names[image.target], wanted[image.target], end, platforms, image.digest)
-            for image in built.images
+            _keep(call.reports, out / f"reports{end}")
+        if result.lock:
+            files.write(out / f"containerize{end}.lock", result.lock.text())
+        images = [
+            Image(image.target, self._names[image.target], self._tags[image.target], end, platforms, image.digest)
+            for image in result.images
         ]
         if values.push:
             with Registries(services.ca_bundle) as registries:
-                for image in made:
+                for image in images:
                     _move(registries, image, 1)
-        return made
+        return images
 
-    def made(self, folder: Path) -> list[Image]:
+    def built_images(self, folder: Path) -> list[Image]:
         """The images of the job for all platforms, and of those for one platform each. We find their files by the jobs' names: a
-        job may have kept other files, such as its tests'.
-
-        Args:
-            folder: the folder with the jobs' files.
-
-        Raises:
-            RosmlError: a file is damaged.
-        """
-        jobs = [Job(replace(self._values, platform=name), {}, self._what, self._say).name for name in self._platforms]
+        job may have kept other files, such as its tests'."""
+        jobs = [Job(replace(self._values, platform=name), {}, self._commit, self._say).name for name in self._platforms]
         return [image for name in dict.fromkeys((self.name, *jobs)) for image in _read(folder / name / FILE)]
 
     def index(self, folder: Path, registries: Registries) -> list[Image]:
@@ -246,26 +221,26 @@ class Job:
         """
         if not self._values.push:
             return []
-        found, made = self.made(folder), []
+        built_images, indexes = self.built_images(folder), []
         for target in [*listed(self._values.target), SLIM]:
-            wanted = (target, self._names.get(target, ""), tuple(tags(target, self._values, self._what)))
-            members = [image for image in found if (image.target, image.name, image.tags) == wanted]
+            key = (target, self._names.get(target, ""), tuple(tags(target, self._values, self._commit)))
+            members = [image for image in built_images if (image.target, image.name, image.tags) == key]
             if target == SLIM and not members:  # there is one if the base image has one without compilers
                 continue
-            there = {name: image for image in members for name in image.platforms}
-            missing = [name for name in self._platforms if name not in there]
+            by_platform = {name: image for image in members for name in image.platforms}
+            missing = [name for name in self._platforms if name not in by_platform]
             if missing and target == SLIM and not self._values.slim_base_image:
                 self._say(f"no slim image: there is none for {', '.join(missing)}")
                 continue
             if missing:
-                text = f"there is no {wanted[0]} image {wanted[1]}:{wanted[2][0]} for {', '.join(missing)}"
+                text = f"there is no {target} image {key[1]}:{key[2][0]} for {', '.join(missing)}"
                 raise RosmlError(f"{text}; no tag was moved", "look at the jobs that build for these platforms")
-            made.append(_join([there[name] for name in self._platforms], registries))
-        for image in made:
+            indexes.append(_join([by_platform[name] for name in self._platforms], registries))
+        for image in indexes:
             app_base.require_kept(registries, [f"{image.name}:{tag}" for tag in image.tags], image.platforms)
-        for image in made:
+        for image in indexes:
             _move(registries, image, 0)
-        return made
+        return indexes
 
 
 def _complete(name: str) -> str:
@@ -285,7 +260,7 @@ def _keep(report: Path, out: Path) -> None:
 
 
 def _join(members: list[Image], registries: Registries) -> Image:
-    """The index of images for one platform each; without a tag."""
+    """Makes an index of images for one platform each, without a tag."""
     first, entries = members[0], []
     place = references.parse(first.reference)
     registry = registries(place.host)
@@ -310,11 +285,7 @@ def _move(registries: Registries, image: Image, first: int) -> None:
 
 
 def _read(file: Path) -> list[Image]:
-    """The images of a job; none if it kept no such file.
-
-    Raises:
-        RosmlError: the file is damaged.
-    """
+    """The images of a job; none if it kept no such file."""
     data = files.regular(file, _MOST)
     try:
         return _IMAGES.validate_json(data) if data is not None else []
@@ -327,12 +298,12 @@ def _read(file: Path) -> list[Image]:
 
 def outputs(images: list[Image]) -> dict[str, str]:
     """Outputs of the action: name and digest of the first image of each target."""
-    found: dict[str, str] = {}
+    values: dict[str, str] = {}
     for image in images:
         before = "" if image.target == "run" else f"{image.target}-"
-        found.setdefault(f"{before}image", image.reference)
-        found.setdefault(f"{before}digest", image.digest)
-    return found
+        values.setdefault(f"{before}image", image.reference)
+        values.setdefault(f"{before}digest", image.digest)
+    return values
 
 
 def summary(images: list[Image], out: Path | None = None) -> str:
@@ -346,23 +317,19 @@ def summary(images: list[Image], out: Path | None = None) -> str:
         for image in images
     ]
     text = github.table(("image", "platforms", "digest"), rows) if rows else ""
-    tests = reported(out) if out else junit.Tests()
+    tests = _reported(out) if out else junit.Tests()
     if tests.count or tests.failures:
         text += f"\n{tests.count} tests, {len(tests.failures)} failed, {tests.skipped} skipped\n"
     return text + "".join(f"- `{line.replace('`', '')}`\n" for line in tests.failures)
 
 
-def reported(out: Path) -> junit.Tests:
-    """The results of a job's tests."""
-    found = junit.Tests()
-    for folder in sorted(out.glob("reports*/*")):
-        found = junit.add(found, junit.read(folder))
-    return found
+def _reported(out: Path) -> junit.Tests:
+    return junit.total(junit.read(folder) for folder in sorted(out.glob("reports*/*")))
 
 
 def errors(out: Path, error: RosmlError) -> Iterator[str]:
     """Commands to GitHub: they show the failed tests on the page of the run, or else the error."""
-    failures = reported(out).failures
+    failures = _reported(out).failures
     title = "Test failed" if failures else "rosml containerize"
     for line in failures or (error.message,):
         escaped = line.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")

@@ -253,11 +253,11 @@ def test_containerize(apps: Apps, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
         values |= {"base-image": free, "enable-slim": "true", "slim-base-image": base}
         values |= {"slim-image-name": public, "enable-push-as-latest": "true"}
     monkeypatch.setattr(app_base, "require_kept", lambda *_: None)  # asks the registry
-    app = build.App(folder, app_inputs.values(values, folder, {}), {}, apps.services, apps.messages.append)
+    app = build.new_call(folder, app_inputs.values(values, folder, {}), {}, apps.services, apps.messages.append)
     with pytest.raises(
         RosmlError, match=r"rosml/ros:held has the restricted part torch, and ghcr\.io is a public"
     ) as caught:
-        app.build()
+        build.build_images(app)
     assert caught.value.exit_code == 2
     text = ROOT / "matrix.yaml"
     own_matrix = tmp_path / "matrix.yaml"
@@ -266,7 +266,7 @@ def test_containerize(apps: Apps, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     )
     monkeypatch.setattr(restricted, "MATRIX", own_matrix)
     with pytest.raises((Asked, RosmlError)) as caught_build:
-        app.build()
+        build.build_images(app)
     assert "restricted" not in str(caught_build.value)
     assert any("goes to ghcr.io/me/robot: you declared that you have the rights" in line for line in apps.messages)
 

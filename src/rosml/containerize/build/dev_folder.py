@@ -18,11 +18,10 @@ from rosml.base.errors import RosmlError
 from rosml.base.shapes import Shape
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize import lock
-from rosml.containerize.build import bake_file as app_bake_file
-from rosml.containerize.build import stage_cache
+from rosml.containerize.build import bake_file, stage_cache
 from rosml.containerize.inputs import Values
 from rosml.containerize.packages import workspace
-from rosml.containerize.packages.ignored import IgnoredFiles
+from rosml.containerize.packages.ignored import LeftOut
 from rosml.containerize.sources import repos_file
 
 KEPT = ".rosml/dev"
@@ -51,15 +50,15 @@ UNUSED = (
     "downstream-workspace",
     "tests",
 )
-"""Inputs of `rosml containerize` that say nothing of the image: `values` sets them."""
+"""Inputs of `rosml containerize` that say nothing of the image: `image_values` sets them."""
 
 
-class Record(Shape):
+class ImageRecord(Shape):
     """An image for `rosml dev`.
 
     Attributes:
         key: the digest of its inputs.
-        image: its name, as in `build.Desk`.
+        image: its name, as in `ShellImage`.
         id: its id in the engine.
         upstream: the folder with the imported repositories; empty if there are none.
     """
@@ -72,70 +71,76 @@ class Record(Shape):
     upstream: str
 
 
-def name(folder: Path) -> str:
+def image_name(folder: Path) -> str:
     """The name of a folder's image. Two folders of one name have two."""
     slug = re.sub("[^a-z0-9]+", "-", folder.name.lower()).strip("-") or "workspace"
     return f"rosml-dev/{slug[:40].strip('-')}-{hashlib.sha256(os.fsencode(folder)).hexdigest()[:8]}"
 
 
-def values(said: Values, folder: Path) -> Values:
+def image_values(values: Values, folder: Path) -> Values:
     """The inputs of the image, from those of `rosml containerize`: it is for this machine alone, and has no app."""
-    own = {"platform": "", "push": False, "target": "dev", "enable_push_as_latest": False, "enable_slim": False}
-    names = {"image_name": name(folder), "image_tag": "latest", "dev_image_name": "", "dev_image_tag": ""}
-    return replace(said, **own, **names, command="", downstream_workspace="", tests=False)  # type: ignore[arg-type]
+    return replace(
+        values,
+        platform="",
+        push=False,
+        target="dev",
+        enable_push_as_latest=False,
+        enable_slim=False,
+        image_name=image_name(folder),
+        image_tag="latest",
+        dev_image_name="",
+        dev_image_tag="",
+        command="",
+        downstream_workspace="",
+        tests=False,
+    )
 
 
-def record_of(folder: Path, state: Path) -> Path:
+def record_file(folder: Path, state: Path) -> Path:
     """The file with the record of a folder. It is not in the folder: that may be a stranger's, and the file names an image to start."""
-    return state / "desk" / f"{name(folder).rpartition('/')[2]}.json"
+    return state / "desk" / f"{image_name(folder).rpartition('/')[2]}.json"
 
 
-def read(file: Path) -> Record | None:
+def read_record(file: Path) -> ImageRecord | None:
     """The record in a file; None if there is none, or if another release of rosml wrote it."""
     try:
-        return Record.model_validate(untrusted.json_value(file.read_bytes()))
+        return ImageRecord.model_validate(untrusted.json_value(file.read_bytes()))
     except (OSError, ValueError, ValidationError):
         return None
 
 
-def write(file: Path, record: Record) -> None:
-    """Writes a record.
-
-    Raises:
-        RosmlError: the file cannot be written.
-    """
+def write_record(file: Path, record: ImageRecord) -> None:
     file.parent.mkdir(parents=True, exist_ok=True)
     files.write(file, record.model_dump_json() + "\n")
 
 
-def key(folder: Path, said: Values) -> str:
+def inputs_digest(folder: Path, values: Values) -> str:
     """The digest of all inputs of the image that are on this machine. The base image and upstream branches may move: they are
     looked up only if the image is made.
 
     Raises:
         RosmlError: an input cannot be read, or is wrong (exit code 2).
     """
-    left = IgnoredFiles(folder)
-    read_files = [*workspace.manifests(folder, ignored=left)]
-    read_files += repos_file.find(folder) if said.enable_recursive_vcs_import else [folder / said.vcs_import_file]
-    read_files.append(lock.place(folder, said.lock_file, renew=False))
+    paths = [*workspace.manifests(folder, left=LeftOut(folder))]
+    paths += repos_file.found(folder) if values.enable_recursive_vcs_import else [folder / values.vcs_import_file]
+    paths.append(lock.place(folder, values.lock_file, renew=False))
     secret = {name.replace("-", "_") for name in app_inputs.SECRET}
-    facts: list[object] = [__version__, sorted(item for item in asdict(said).items() if item[0] not in secret)]
-    for path in read_files:
-        content = files.regular(path, workspace.LARGEST_TEXT) or b""
+    facts: list[object] = [__version__, sorted(item for item in asdict(values).items() if item[0] not in secret)]
+    for path in paths:
+        content = files.regular(path, app_inputs.LARGEST_TEXT) or b""
         facts.append([os.path.relpath(path, folder), hashlib.sha256(content).hexdigest()])
     with tempfile.TemporaryDirectory() as scratch:
         requests = Path(scratch, "requests")
-        workspace.write_requests(said, folder, Path(scratch, "none"), {}, requests)
+        workspace.write_requests(values, folder, Path(scratch, "none"), {}, requests)
         facts.append(stage_cache.tree(requests))
-    if additional := workspace.additional_files(said.additional_files_dir, folder):
+    if additional := workspace.additional_files(values.additional_files_dir, folder):
         facts.append(stage_cache.tree(additional))
-    scripts = [app_bake_file.SCRIPTS / part for part in ("containerize", "build", "ros")]
+    scripts = [bake_file.SCRIPTS / part for part in ("containerize", "build", "ros")]
     facts += [stage_cache.tree(folder, {"__pycache__"}) for folder in scripts]
     return hashlib.sha256(json.dumps(facts).encode("utf-8", "surrogateescape")).hexdigest()
 
 
-def require_yours(folder: Path, uid: int) -> None:
+def require_owner(folder: Path, uid: int) -> None:
     """Checks that a user can keep files in a folder, and that these will be theirs.
 
     Args:
@@ -151,7 +156,7 @@ def require_yours(folder: Path, uid: int) -> None:
     if not os.access(folder, os.W_OK | os.X_OK):
         text = f"{folder} belongs to the user {owner}, and you cannot write there"
         raise RosmlError(text, "copy it to a folder of yours, or let its owner give it to you", exit_code=2)
-    for path in _kept(folder):
+    for path in _kept_folders(folder):
         if path.is_symlink() or (path.exists() and not path.is_dir()):
             raise RosmlError(f"{path} is no folder, and rosml dev keeps files there", "move it away", exit_code=2)
         if path.exists() and path.stat().st_uid != uid:
@@ -159,19 +164,14 @@ def require_yours(folder: Path, uid: int) -> None:
             raise RosmlError(text, f"remove it: sudo rm -rf '{folder / KEPT}'", exit_code=2)
 
 
-def _kept(folder: Path) -> list[Path]:
+def _kept_folders(folder: Path) -> list[Path]:
     """The folders that rosml makes itself, from the outermost on."""
-    inside = [folder / KEPT / place for place in ("src", *POINTS)]
-    return [(folder / KEPT).parent, folder / KEPT, *inside]
+    return [(folder / KEPT).parent, folder / KEPT, *(folder / KEPT / place for place in ("src", *POINTS))]
 
 
-def prepare(folder: Path) -> None:
-    """Makes the folder for what is built. git and builds leave it out.
-
-    Raises:
-        OSError: it cannot be made.
-    """
-    for path in _kept(folder):
+def make(folder: Path) -> None:
+    """Makes the folder for what is built. git and builds leave it out."""
+    for path in _kept_folders(folder):
         path.mkdir(exist_ok=True)
     kept = folder / KEPT
     for mark in MARKS:

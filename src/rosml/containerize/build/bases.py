@@ -1,0 +1,74 @@
+"""The base images of an app, by its lock file if it follows one."""
+
+from __future__ import annotations
+
+from rosml.base.errors import RosmlError
+from rosml.containerize import lock
+from rosml.containerize.base_image import addons
+from rosml.containerize.base_image import base as app_base
+from rosml.containerize.base_image.base import Base
+from rosml.containerize.build import adopt
+from rosml.containerize.build.call import Call
+from rosml.containerize.lock import Lock
+from rosml.containerize.names import SLIM
+
+
+def read_lock(call: Call) -> Lock | None:
+    """The lock file that the build follows."""
+    return None if call.renew else lock.read(call.lock_file, call.folder)
+
+
+def find(call: Call, followed_lock: Lock | None) -> Base:
+    """The base image. If it has no ROS, ROS will be installed on it."""
+    name, say = call.values.base_image, call.say
+    digest = followed_lock.base_image.of(name) if followed_lock else ""
+    base = app_base.find(name, call.services, call.platforms, digest)
+    say(f"base image {base.name}")
+    base = adopt.with_ros(base, call.services, call.values, call.platforms, say)
+    if followed_lock:
+        say(f"{call.lock_file} says which versions")
+        if missing := followed_lock.lacks(call.platforms):
+            say(f"it has no packages for {', '.join(missing)}: they are the newest; {lock.RENEW}")
+    return base
+
+
+def find_slim(call: Call, base: Base, followed_lock: Lock | None) -> Base | None:
+    """The base image of the slim image. None if there is to be no slim image, or if none belongs to the base image."""
+    if SLIM not in call.names.targets:
+        return None
+    named_by_user = call.values.slim_base_image
+    name = named_by_user or app_base.runtime(base)
+    reason = f"there is no {name}" if name else f"{base.name} does not say which base image has no compilers"
+    slim_lock = followed_lock.slim_base_image if followed_lock else None
+    digest = slim_lock.of(named_by_user) if slim_lock else ""
+    if name:
+        try:
+            slim = app_base.find(name, call.services, call.platforms, digest)
+        except RosmlError as error:
+            if named_by_user or digest or not (error.exit_code == 2 or base.local):  # there may be one
+                raise
+        else:
+            differing = [] if named_by_user else app_base.differing(base, slim)
+            if not differing and followed_lock and not digest:
+                raise RosmlError(
+                    "the lock file has no slim image", f"{lock.RENEW} --enable-slim, or leave the image out", 2
+                )
+            if not differing:
+                return slim
+            reason = f"{name} is of another {', '.join(differing)}"
+    call.say(f"no slim image: {reason}; name one with --slim-base-image")
+    return None
+
+
+def with_addons(call: Call, base: Base, followed_lock: Lock | None) -> Base:
+    """The base image with the add-ons that the user wants."""
+    digests = followed_lock.addons or {} if followed_lock else None
+    joined = addons.onto(base, call.values.addons, call.services, call.platforms, digests)
+    if joined.addons:
+        call.say(f"{base.name} with {', '.join(name.rpartition('/')[2] for name in joined.addons.parts)}")
+    return joined
+
+
+def parts(*bases: Base | None) -> dict[str, str]:
+    """The parts that base images get for add-ons, as `AddOns.parts`."""
+    return {name: where for base in bases if base and base.addons for name, where in base.addons.parts.items()}
