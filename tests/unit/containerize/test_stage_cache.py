@@ -13,10 +13,13 @@ import pytest
 
 from fakes.http_registry import StandIn
 from rosml.base.errors import RosmlError
-from rosml.containerize.build import junit
+from rosml.containerize.base_image.base import Base
+from rosml.containerize.build import bake_file, junit
+from rosml.containerize.build.bake_file import Inputs
 from rosml.containerize.build.outcome import Outcome
 from rosml.containerize.build.report import Answer
-from rosml.containerize.build.stage_cache import Cache, Keys, Report, StageInputs, form
+from rosml.containerize.build.stage_cache import Cache, Keys, Report, form, keys
+from rosml.containerize.inputs import Values
 from rosml.containerize.lock import Packages
 from rosml.registry import oci
 from rosml.registry.client import Registry
@@ -39,19 +42,33 @@ def altered(outcome: dict[str, Any] | None = None, **others: Any) -> bytes:
 
 
 @pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    for name in ("needs", "upstream", "downstream", "target/src"):
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr(bake_file, "SCRIPTS", tmp_path)
+    for name in (
+        "manifests",
+        "requests",
+        "additional",
+        "upstream",
+        "downstream",
+        "target/src",
+        "ros",
+        "build",
+        "containerize",
+    ):
         (tmp_path / name).mkdir(parents=True)
         (tmp_path / name / "file").write_text(name)
     return tmp_path
 
 
-def made(
-    folder: Path, base: str = "sha256:1", cmake: str = "", tests: str = "true", hooked: bool = False, slim: str = ""
-) -> Keys:
-    given = {"base": base} | ({"slim": slim} if slim else {})
-    upstream, target, downstream = (folder / name for name in ("upstream", "target", "downstream"))
-    return StageInputs(given, [folder / "needs"], upstream, target, downstream, cmake, tests, hooked).keys()
+def made(folder: Path, base: str = "sha256:1", slim: str = "", hooked: bool = False, **values: Any) -> Keys:
+    contexts = {
+        name: folder / name for name in ("manifests", "requests", "additional", "upstream", "target", "downstream")
+    }
+    slim_base = Base("slim", slim, {}) if slim else None
+    inputs = Inputs(
+        ("run",), Base("base", base, {}), slim_base, "jazzy", "jazzy", Values(**values), contexts, folder, hooked, "", 0
+    )
+    return keys(inputs, ("linux/amd64",))
 
 
 def differ(one: Keys, other: Keys) -> list[str]:
@@ -72,12 +89,12 @@ def write(path: str) -> Callable[[Path], object]:
         (lambda folder: (folder / "target/src/file").rename(folder / "target/src/other"), ["app"]),
         (write("upstream/file"), ["upstream", "app"]),
         (write("downstream/file"), ["app"]),
-        (write("needs/file"), ["environment", "upstream", "app"]),
+        (write("manifests/file"), ["environment", "upstream", "app"]),
         (lambda folder: (folder / "target/src/file").chmod(0o600), ["app"]),
         (lambda folder: (folder / "target/src").chmod(0o700), ["app"]),
         (lambda folder: (folder / "target/empty").mkdir(), ["app"]),
         (write("target/.env"), []),
-        (write("needs/.env"), ["environment", "upstream", "app"]),
+        (write("manifests/.env"), ["environment", "upstream", "app"]),
         (lambda folder: os.utime(folder / "target/src/file", (1, 1)), []),
     ],
 )
@@ -92,8 +109,8 @@ def test_a_stage_is_made_again_for_what_decides_its_content(
 def test_values_decide_as_well(folder: Path) -> None:
     before = made(folder)
     assert differ(before, made(folder, base="sha256:2")) == ["environment", "upstream", "app"]
-    assert differ(before, made(folder, cmake="-DX=1")) == ["upstream", "app"]
-    assert differ(before, made(folder, tests="false")) == ["app"]
+    assert differ(before, made(folder, cmake_args="-DX=1")) == ["upstream", "app"]
+    assert differ(before, made(folder, tests=False)) == ["app"]
 
 
 def test_a_slim_image_has_stages_of_its_own(folder: Path) -> None:

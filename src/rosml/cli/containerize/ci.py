@@ -31,7 +31,6 @@ def main() -> None:
 
 
 def _job() -> tuple[Job, dict[str, str], Path]:
-    """The job, its inputs, and the folder of the packages."""
     from rosml.containerize import inputs as app_inputs
     from rosml.containerize.ci import inputs as ci_inputs
     from rosml.containerize.ci import job as ci_job

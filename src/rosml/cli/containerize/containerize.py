@@ -25,7 +25,6 @@ KEPT = "interrupted: no image was made; finished steps are kept, the next call c
 
 
 def _options(function: Function) -> Function:
-    """Adds an option for each input of the table."""
     for item in reversed(app_inputs.TABLE):
         if item.gone or item.name in app_inputs.SECRET:
             continue

@@ -42,7 +42,6 @@ class Dev(run.Run):
     """A command of which the first word that is no option is the folder. The words after `--` are the command in the container."""
 
     def for_click(self, ctx: click.Context, args: Sequence[str]) -> list[str]:
-        """The words that click reads."""
         end = [*args, "--"].index("--")
         command = tuple(args[end + 1 :])
         if not ctx.resilient_parsing:
@@ -154,7 +153,6 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
 
 
 def _place(folder: str) -> Path:
-    """The folder, with links followed."""
     place = Path(folder).expanduser()
     if not place.is_dir():
         remedy = f"name a folder; a command stands after --: rosml dev -- {shlex.quote(folder)}"
@@ -234,7 +232,6 @@ def _image(
 
 
 def _start(line: words.Line, caller: Person, facts: Facts, record: ImageRecord) -> None:
-    """Starts a container, or shows how."""
     from rosml.containerize.build import dev_folder
     from rosml.run import engine
     from rosml.run.context import Context
@@ -254,7 +251,6 @@ def _start(line: words.Line, caller: Person, facts: Facts, record: ImageRecord) 
 
 
 def _plugin(record: ImageRecord) -> Plugin:
-    """The plugin that mounts the workspace."""
     from rosml.containerize.build import dev_folder
     from rosml.run import paths
     from rosml.run.plugin import Plugin

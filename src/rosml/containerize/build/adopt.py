@@ -12,7 +12,7 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image.base import Base
 from rosml.containerize.build import bake_file
-from rosml.containerize.build.stage_cache import BASE
+from rosml.containerize.build.bake_file import BASE
 from rosml.containerize.inputs import Values
 from rosml.images.builds import adopted, base_images, variables
 from rosml.images.builds.adopted import Adopted
@@ -31,15 +31,7 @@ def with_ros(
     say: Callable[[str], None],
     image_set: ImageSet | None = None,
 ) -> Base:
-    """Adds the ROS to install to a base image, if it has none.
-
-    Args:
-        platforms: the app's platforms.
-        image_set: the images to choose from; by default, those of rosml's own matrix.
-
-    Raises:
-        RosmlError: nothing can be installed on it, or not the named ROS (exit code 2).
-    """
+    """Adds the ROS to install to a base image, if it has none. Chooses from rosml's own matrix, if no image set is passed."""
     _require_path(base)
     if base.environment.get("ROS_DISTRO") or values.disable_ros_installation:
         return base
@@ -105,12 +97,6 @@ def _require_path(base: Base) -> None:
         raise RosmlError(problem, remedy, exit_code=2)
 
 
-def prepare(base: Base, services: Services, environment: Mapping[str, str], platforms: tuple[str, ...]) -> None:
-    """Has the builder install ROS on a base image, if it has not done so yet. Apps on the same base image do this one after the other,
-    so that it happens once; everything else of their builds happens side by side."""
-    make(base, services, environment, platforms, "", "type=cacheonly")
-
-
 def make(
     base: Base,
     services: Services,
@@ -119,10 +105,11 @@ def make(
     tag: str,
     output: str,
 ) -> str:
-    """Makes a base image with ROS of one without it. Returns its digest.
+    """Makes a base image with ROS of one that `with_ros` returned, if the builder has not done so yet. Returns its digest.
+
+    Calls for the same base image take turns, so that it happens once.
 
     Args:
-        base: the result of `with_ros`.
         tag: its full name; empty if it gets none.
         output: in buildx's words.
     """

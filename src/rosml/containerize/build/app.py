@@ -15,11 +15,7 @@ __all__ = ["Call", "build_images", "build_shell_image", "new_call"]
 
 
 def build_images(call: Call) -> Result:
-    """Builds the images of an app.
-
-    Raises:
-        RosmlError: an input is wrong, or a step or a test failed.
-    """
+    """Builds, tests and joins the images of an app."""
     with call.turn():
         started, waited = time.monotonic(), buildx.waited()
         followed_lock = bases.read_lock(call)
@@ -34,16 +30,17 @@ def build_images(call: Call) -> Result:
         inputs = contexts.write(call, base, slim, followed_lock)
         with stages.open_cache(call) as cache:
             chosen = stages.choose(call, inputs, followed_lock, cache)
-            packages = stages.earlier_build(call, chosen, cache)
+            packages = stages.earlier_build(chosen, cache)
             if packages is None:
-                packages = stages.build_packages(call, chosen)
+                packages = stages.build_packages(chosen)
                 verdict.require_passed(packages.tests, call.reports, slim=slim is not None)
                 if call.values.tests:
                     verdict.require_complete(packages.outcome, inputs.targets)
-                stages.keep(cache, chosen, packages)
+                if cache and chosen.keys:
+                    cache.keep(chosen.keys, packages.outcome, packages.tests.target, packages.details())
             unstarted = verdict.require_started(call, packages.outcome, inputs.targets)
             lock = result.lock_of(call, chosen.recipe.inputs, packages.outcome, fetched, followed_lock)
-            images = stages.join_images(call, chosen, packages.outcome, lock)
+            images = stages.join_images(chosen, packages.outcome, lock)
             described = stages.attach_contents(call, images, packages, fetched.upstream)
         return Result(
             base=base.reference,
@@ -63,11 +60,7 @@ def build_images(call: Call) -> Result:
 
 
 def build_shell_image(call: Call) -> ShellImage:
-    """Builds the image for `rosml dev`: the environment of the packages, with debuggers. The packages are not built.
-
-    Raises:
-        RosmlError: an input is wrong, or a step failed.
-    """
+    """Builds the image for `rosml dev`: the environment of the packages, with debuggers. The packages are not built."""
     with call.turn():
         followed_lock = bases.read_lock(call)
         base = bases.find(call, followed_lock)
@@ -79,5 +72,5 @@ def build_shell_image(call: Call) -> ShellImage:
         inputs = replace(inputs, targets=(DESK,), time=contexts.TIME)
         with stages.open_cache(call) as cache:
             chosen = stages.choose(call, inputs, followed_lock, cache)
-        image = stages.build_shell_image(call, chosen)
+        image = stages.build_shell_image(chosen)
         return replace(image, upstream=call.state / "upstream" if fetched.upstream else None)

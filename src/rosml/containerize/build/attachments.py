@@ -27,7 +27,6 @@ def sbom(data: bytes, reference: str, sources: Mapping[str, Repository]) -> byte
 
     Args:
         data: the packages of the image, from `PACKAGES`.
-        reference: the image, by its digest.
         sources: upstream repositories of ROS packages, by the package's name.
     """
     return packages.cyclonedx(packages.read(data), reference, lambda name: _origin(sources.get(name)))
@@ -58,12 +57,10 @@ def attach(
     sources: Mapping[str, Repository],
     linked: bool = True,
 ) -> None:
-    """Attaches an SBOM, a list of files and facts to an image, for each of its platforms. Those that it has already stay.
+    """Attaches an SBOM, a list of files and facts to an image or to each image of an index. Those that it has already stay.
 
     Args:
-        digest: of the image, or of an index.
         load: reads the contents that a build reported, from a platform and a kind of `KINDS`.
-        sources: as in `sbom`.
         linked: the app is one layer on its base image. If not, there are no facts.
     """
     for manifest in manifests(registry, repository, digest):

@@ -11,15 +11,18 @@ from typing import Any
 
 from rosml import ROOT
 from rosml.containerize.base_image.base import Base
-from rosml.containerize.build.stage_cache import BASE
+from rosml.containerize.build.call import Call
 from rosml.containerize.inputs import Values
-from rosml.containerize.names import DESK, SLIM, Names
+from rosml.containerize.names import DESK, SLIM
 from rosml.images.builds import adopted
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.builds.push import COMPRESSION
 from rosml.images.image_set.labels import APP, PREFIX, REVISION, TITLE
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services
+
+BASE = "base"
+"""The stage that installs ROS on an image without it."""
 
 SCRIPTS = ROOT / "components"
 
@@ -54,43 +57,27 @@ STAGES = ("app", "runtime", "workspace")
 SLIM_STAGES = ("slim-app", "slim-runtime")
 
 PACKAGES = "packages"
-"""The group of all targets before the images."""
 
 _MIRRORS = {"os-apt-mirror": "OS_APT_MIRROR", "ros-apt-mirror": "ROS_APT_MIRROR"}
 
 
 @dataclass(frozen=True)
 class Inputs:
-    """The inputs of an app's build.
-
-    Attributes:
-        targets: the images to build.
-        slim: the base image of the slim image, if there will be one.
-        distribution: the base image's ROS distribution.
-        conditions: the ROS with which conditions in manifests compare.
-        contexts: folders with sources, manifests and requests, by their names in the Dockerfile.
-        empty: a folder without files.
-        hooked: a script changes the sources before their dependencies are read.
-        time: the time of the commit, in seconds since 1970.
-        rosdep: the digest of rosdep's lists, if they are from a registry.
-    """
-
-    targets: tuple[str, ...]
+    targets: tuple[str, ...]  # the images to build
     base: Base
-    slim: Base | None
-    distribution: str
-    conditions: str
+    slim: Base | None  # the base image of the slim image, if there will be one
+    distribution: str  # the base image's
+    conditions: str  # the ROS with which conditions in manifests compare
     values: Values
-    contexts: Mapping[str, Path]
-    empty: Path
-    hooked: bool
+    contexts: Mapping[str, Path]  # folders, by their names in the Dockerfile
+    empty: Path  # a folder without files
+    hooked: bool  # a script changes the sources before their dependencies are read
     commit: str
-    time: int
-    rosdep: str = ""
+    time: int  # of the commit, in seconds since 1970
+    rosdep: str = ""  # the digest of rosdep's lists, if they are from a registry
 
     @property
     def stages(self) -> tuple[str, ...]:
-        """Stages that images join."""
         return STAGES + (SLIM_STAGES if self.slim else ())
 
     def base_of(self, target: str) -> Base:
@@ -99,43 +86,37 @@ class Inputs:
 
 @dataclass(frozen=True)
 class Recipe:
-    """All from which the bake file of an app follows.
+    """All from which the bake file of an app follows."""
 
-    Attributes:
-        environment: the names of set variables.
-        archives: the archives of the targets `REPORT`, `RESULTS` and `ASKED`.
-        cached_stages: references of stages that a registry has.
-        pushed_stages: references to which other stages go.
-    """
-
+    call: Call
     inputs: Inputs
-    names: Names
-    services: Services
-    environment: Sequence[str]
-    archives: Mapping[str, Path]
-    cached_stages: Mapping[str, str] = field(default_factory=dict)
-    pushed_stages: Mapping[str, str] = field(default_factory=dict)
+    cached_stages: Mapping[str, str] = field(default_factory=dict)  # references of stages that a registry has
+    pushed_stages: Mapping[str, str] = field(default_factory=dict)  # references to which others go
+
+    def archive(self, name: str) -> Path:
+        """The archive of the target `REPORT`, `RESULTS` or `ASKED`."""
+        return self.call.state / f"{name}.tar"
+
+    def output(self, name: str) -> str:
+        return exported.output(self.archive(name))
 
 
 def render(recipe: Recipe, replaced: Mapping[str, Sequence[str]] | None = None, lock: str = "") -> str:
     """The bake file.
 
     Args:
-        replaced: by image, the packages and files of its base image that the app replaces. Such an image starts from the stage with
-            the app's packages.
+        replaced: what the app replaces of an image's base. Such an image starts from the stage with the app's packages.
         lock: the inputs of the images, for a label.
     """
-    inputs, names, replaced = recipe.inputs, recipe.names, replaced or {}
+    inputs, names, replaced = recipe.inputs, recipe.call.names, replaced or {}
     base, stages = _contexts(recipe)
     common = _common(recipe, base | stages)
     targets = _report_targets(recipe, common)
     groups = {PACKAGES: {"targets": [*targets, *(f"keep-{stage}" for stage in recipe.pushed_stages)]}}
     if inputs.values.tests:
-        targets[FAILED] = {**common, "target": FAILED, "output": [exported.output(recipe.archives[RESULTS])]}
-    targets[ASKED] = {**common, "target": ASKED, "output": [exported.output(recipe.archives[ASKED])]}
-    for stage in inputs.stages:
-        targets[stage] = {**common, "target": stage}
-    targets |= _base_targets(recipe)
+        targets[FAILED] = {**common, "target": FAILED, "output": [recipe.output(RESULTS)]}
+    targets[ASKED] = {**common, "target": ASKED, "output": [recipe.output(ASKED)]}
+    targets |= {stage: {**common, "target": stage} for stage in inputs.stages} | _base_targets(recipe)
     for stage, reference in recipe.pushed_stages.items():
         output = f"type=image,name={reference},push=true,{COMPRESSION}"
         stage_target = targets[BASE] if stage == BASE else {**common, "target": stage}
@@ -149,15 +130,13 @@ def render(recipe: Recipe, replaced: Mapping[str, Sequence[str]] | None = None, 
 
 
 def _report_targets(recipe: Recipe, common: Mapping[str, Any]) -> dict[str, Any]:
-    """The targets that build and test the packages, and leave reports."""
-    inputs, archives = recipe.inputs, recipe.archives
-    before, tested = "slim-" if inputs.slim else "", inputs.values.tests
-    targets = {REPORT: {**common, "target": f"{before}{REPORT}", "output": [exported.output(archives[REPORT])]}}
-    if tested:
-        targets[RESULTS] = {**common, "target": f"{before}{RESULTS}", "output": [exported.output(archives[RESULTS])]}
-    elif inputs.values.downstream_workspace:  # built all the same, without output
+    before, values = "slim-" if recipe.inputs.slim else "", recipe.inputs.values
+    targets = {REPORT: {**common, "target": f"{before}{REPORT}", "output": [recipe.output(REPORT)]}}
+    if values.tests:
+        targets[RESULTS] = {**common, "target": f"{before}{RESULTS}", "output": [recipe.output(RESULTS)]}
+    elif values.downstream_workspace:  # built all the same, without output
         targets[RESULTS] = {**common, "target": "downstream-built", "output": ["type=cacheonly"]}
-    if tested and not recipe.pushed_stages:  # a cache gets all stages: whoever corrects the test builds on them
+    if values.tests and not recipe.pushed_stages:  # a cache gets all stages: whoever corrects the test builds on them
         targets[TESTS] = {**common, "target": PASSED, "output": ["type=cacheonly"]}
     return targets
 
@@ -165,7 +144,7 @@ def _report_targets(recipe: Recipe, common: Mapping[str, Any]) -> dict[str, Any]
 def _image(
     recipe: Recipe, target: str, linked: bool, contexts: Mapping[str, str], labels: Mapping[str, str]
 ) -> dict[str, Any]:
-    inputs, names = recipe.inputs, recipe.names
+    inputs, names = recipe.inputs, recipe.call.names
     return {
         "context": str(inputs.empty),
         "dockerfile-inline": _dockerfile(target, inputs, linked),
@@ -183,13 +162,10 @@ def render_shell_image(recipe: Recipe) -> str:
     inputs = recipe.inputs
     base, stages = _contexts(recipe)
     common = _common(recipe, base | stages)
-    labels = {
-        TITLE: f"{recipe.names.app} ({DESK})",
-        BASE_NAME: inputs.base.name,
-        BASE_DIGEST: inputs.base.digest,
-    }
+    title = f"{recipe.call.names.app} ({DESK})"
+    labels = {TITLE: title, BASE_NAME: inputs.base.name, BASE_DIGEST: inputs.base.digest}
     targets = {
-        ASKED: {**common, "target": ASKED, "output": [exported.output(recipe.archives[ASKED])]},
+        ASKED: {**common, "target": ASKED, "output": [recipe.output(ASKED)]},
         **_base_targets(recipe),
         f"{DESK}-stage": {**common, "target": DESK},
         DESK: _image(recipe, DESK, False, {DESK: f"target:{DESK}-stage"}, labels),
@@ -205,13 +181,13 @@ def _contexts(recipe: Recipe) -> tuple[dict[str, str], dict[str, str]]:
     base = {BASE: f"target:{BASE}" if built_here else stages.pop(BASE, f"docker-image://{inputs.base.reference}")}
     if inputs.slim:
         base["slim"] = f"docker-image://{inputs.slim.reference}"
-    return base | {name: f"target:{_with_addons(name)}" for name in _bases_with_addons(inputs)}, stages
+    return base | {name: f"target:{name}-with-addons" for name in _bases_with_addons(inputs)}, stages
 
 
 def _common(recipe: Recipe, contexts: Mapping[str, str]) -> dict[str, Any]:
     """The fields of all targets that are stages of the Dockerfile."""
     inputs, values = recipe.inputs, recipe.inputs.values
-    common = steps(recipe.services, recipe.environment, recipe.names.platforms)
+    common = steps(recipe.call.services, recipe.call.environment, recipe.call.names.platforms)
     if values.parallel_jobs:  # as a secret: the result does not depend on it, so steps need not run again
         common["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
     folders = {name: str(path) for name, path in inputs.contexts.items()}
@@ -234,30 +210,22 @@ def _common(recipe: Recipe, contexts: Mapping[str, str]) -> dict[str, Any]:
 
 
 def _base_targets(recipe: Recipe) -> dict[str, Any]:
-    """The targets that install ROS on a base image without it, or join add-ons to base images."""
-    inputs, services = recipe.inputs, recipe.services
+    inputs, services = recipe.inputs, recipe.call.services
     # Some stages run on the builder's own platform, whatever the app's is.
-    platforms = [*dict.fromkeys([*recipe.names.platforms, f"linux/{native_architecture()}"])]
+    platforms = [*dict.fromkeys([*recipe.call.names.platforms, f"linux/{native_architecture()}"])]
     ros = inputs.base.adopted
     if ros is None or BASE in recipe.cached_stages:
-        with_addons = _bases_with_addons(inputs)
-        return {_with_addons(name): _joining(base, inputs, platforms) for name, base in with_addons.items()}
-    common = steps(services, recipe.environment, platforms)
+        joined = _bases_with_addons(inputs).items()
+        return {f"{name}-with-addons": _joining(base, inputs, platforms) for name, base in joined}
+    common = steps(services, recipe.call.environment, platforms)
     return adopted.base_targets(ros, BASE, common, inputs.empty, adopted.stage(services, ros))
 
 
-def _with_addons(name: str) -> str:
-    """The target of a base image with add-ons, by the name of its context."""
-    return f"{name}-with-addons"
-
-
 def _bases_with_addons(inputs: Inputs) -> dict[str, Base]:
-    """By the names of their contexts."""
     return {name: base for name, base in ((BASE, inputs.base), ("slim", inputs.slim)) if base and base.addons}
 
 
 def _joining(base: Base, inputs: Inputs, platforms: Sequence[str]) -> dict[str, Any]:
-    """The target that joins add-ons to a base image."""
     assert base.addons
     return {
         "context": str(inputs.empty),
@@ -269,14 +237,7 @@ def _joining(base: Base, inputs: Inputs, platforms: Sequence[str]) -> dict[str, 
 
 
 def render_base(base: Base, services: Services, common: Mapping[str, Any], tag: str, output: str, empty: Path) -> str:
-    """The bake file of a base image that gets ROS, without an app.
-
-    Args:
-        common: the result of `steps`.
-        tag: its full name; empty if it gets none.
-        output: in buildx's words.
-        empty: a folder without files.
-    """
+    """The bake file of a base image that gets ROS, without an app. The arguments are those of `adopt.make`, and the result of `steps`."""
     assert base.adopted
     targets = adopted.base_targets(base.adopted, BASE, common, empty, adopted.stage(services, base.adopted))
     labels = targets[BASE]["labels"] | {TITLE: f"{base.adopted.image.target} on {base.name}"}
@@ -326,11 +287,7 @@ def _variables(target: str, inputs: Inputs) -> dict[str, str]:
 
 
 def _joined_stages(target: str, linked: bool) -> tuple[str, ...]:
-    """The stages that an image's Dockerfile names: the builder makes all contexts, also those that no line names.
-
-    Args:
-        linked: as in `_dockerfile`.
-    """
+    """The stages that an image's Dockerfile names: the builder makes all contexts, also those that no line names."""
     if target == "dev":
         return ("workspace",)
     before = "slim-" if target == SLIM else ""
@@ -338,11 +295,8 @@ def _joined_stages(target: str, linked: bool) -> tuple[str, ...]:
 
 
 def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:
-    """The Dockerfile that joins an image without running anything. Values are arguments, as they may have several lines.
-
-    Args:
-        linked: the app is a layer on the base image, and not on the stage with its packages.
-    """
+    """The Dockerfile that joins an image without running anything. Values are arguments, as they may have several lines. A `linked`
+    app is a layer on the base image, and not on the stage with its packages."""
     lines, command = [f"FROM {DESK if target == DESK else 'workspace'}"], ["bash"]
     if target not in (DESK, "dev"):
         before = "slim-" if target == SLIM else ""

@@ -14,7 +14,6 @@ from rosml.containerize.names import SLIM
 
 
 def read_lock(call: Call) -> Lock | None:
-    """The lock file that the build follows."""
     return None if call.renew else lock.read(call.lock_file, call.folder)
 
 
@@ -22,12 +21,12 @@ def find(call: Call, followed_lock: Lock | None) -> Base:
     """The base image. If it has no ROS, ROS will be installed on it."""
     name, say = call.values.base_image, call.say
     digest = followed_lock.base_image.of(name) if followed_lock else ""
-    base = app_base.find(name, call.services, call.platforms, digest)
+    base = app_base.find(name, call.services, call.names.platforms, digest)
     say(f"base image {base.name}")
-    base = adopt.with_ros(base, call.services, call.values, call.platforms, say)
+    base = adopt.with_ros(base, call.services, call.values, call.names.platforms, say)
     if followed_lock:
         say(f"{call.lock_file} says which versions")
-        if missing := followed_lock.lacks(call.platforms):
+        if missing := followed_lock.lacks(call.names.platforms):
             say(f"it has no packages for {', '.join(missing)}: they are the newest; {lock.RENEW}")
     return base
 
@@ -43,16 +42,15 @@ def find_slim(call: Call, base: Base, followed_lock: Lock | None) -> Base | None
     digest = slim_lock.of(named_by_user) if slim_lock else ""
     if name:
         try:
-            slim = app_base.find(name, call.services, call.platforms, digest)
+            slim = app_base.find(name, call.services, call.names.platforms, digest)
         except RosmlError as error:
             if named_by_user or digest or not (error.exit_code == 2 or base.local):  # there may be one
                 raise
         else:
             differing = [] if named_by_user else app_base.differing(base, slim)
             if not differing and followed_lock and not digest:
-                raise RosmlError(
-                    "the lock file has no slim image", f"{lock.RENEW} --enable-slim, or leave the image out", 2
-                )
+                remedy = f"{lock.RENEW} --enable-slim, or leave the image out"
+                raise RosmlError("the lock file has no slim image", remedy, exit_code=2)
             if not differing:
                 return slim
             reason = f"{name} is of another {', '.join(differing)}"
@@ -61,9 +59,8 @@ def find_slim(call: Call, base: Base, followed_lock: Lock | None) -> Base | None
 
 
 def with_addons(call: Call, base: Base, followed_lock: Lock | None) -> Base:
-    """The base image with the add-ons that the user wants."""
     digests = followed_lock.addons or {} if followed_lock else None
-    joined = addons.onto(base, call.values.addons, call.services, call.platforms, digests)
+    joined = addons.onto(base, call.values.addons, call.services, call.names.platforms, digests)
     if joined.addons:
         call.say(f"{base.name} with {', '.join(name.rpartition('/')[2] for name in joined.addons.parts)}")
     return joined

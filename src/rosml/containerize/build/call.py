@@ -15,41 +15,28 @@ from rosml.containerize.names import Names
 from rosml.machine.services import Services
 
 SYMLINKS = "--symlink-install"
-"""The option of colcon for a workspace whose sources stay where they are."""
 
 
 @dataclass(frozen=True)
 class Call:
-    """What is built, and with what.
-
-    Attributes:
-        environment: the variables of the process.
-        say: tells the user what begins now.
-        renew: take the newest versions and write the lock file, instead of following it.
-        state: the folder for all that the build writes.
-    """
+    """What is built, and with what."""
 
     folder: Path
     values: Values
-    environment: Mapping[str, str]
+    environment: Mapping[str, str]  # the process's variables
     services: Services
-    say: Callable[[str], None]
-    renew: bool
+    say: Callable[[str], None]  # tells the user what begins now
+    renew: bool  # take the newest versions and write the lock file, instead of following it
     lock_file: Path
     names: Names
-    state: Path
+    state: Path  # a folder for all that the build writes
 
     @property
     def reports(self) -> Path:
         """The folder of test reports, in which `results` has the packages' own; one for each platform if there are several."""
         return self.state / "report"
 
-    @property
-    def platforms(self) -> tuple[str, ...]:
-        return self.names.platforms
-
     def turn(self) -> contextlib.AbstractContextManager[int]:
-        """Waits for another call that makes the same images."""
         self.state.mkdir(parents=True, exist_ok=True)
         file, waiting = self.state / "lock", f"waiting for another call that makes {self.names.app}"
         return turn(file, lambda: self.say(f"{waiting} ({holder(file)})"))
@@ -63,30 +50,19 @@ def new_call(
     say: Callable[[str], None],
     renew: bool = False,
 ) -> Call:
-    """A call for a repository with ROS packages.
-
-    Raises:
-        RosmlError: a value is wrong (exit code 2).
-    """
+    """Checks the values of a call, and completes it."""
     lock_file = lock.place(folder, values.lock_file, renew)
     names = Names(values, folder.name, services)
     if "run" in names.targets and not values.command:
-        raise RosmlError(
-            "there is no command for the run image",
-            "add --command 'ros2 launch …', or --target dev; rosml init proposes one",
-            exit_code=2,
-        )
+        remedy = "add --command 'ros2 launch …', or --target dev; rosml init proposes one"
+        raise RosmlError("there is no command for the run image", remedy, exit_code=2)
     if "run" in names.targets and SYMLINKS in values.colcon_args:
         text = f"colcon-args: with {SYMLINKS}, colcon installs links to your sources, which are in no run image"
-        raise RosmlError(
-            text, f"leave {SYMLINKS} out; rosml dev takes it: rosml dev -- colcon build {SYMLINKS}", exit_code=2
-        )
+        remedy = f"leave {SYMLINKS} out; rosml dev takes it: rosml dev -- colcon build {SYMLINKS}"
+        raise RosmlError(text, remedy, exit_code=2)
     if not values.base_image:
-        raise RosmlError(
-            "there is no base image",
-            "add --base-image, such as ros:jazzy-base; rosml init proposes one",
-            exit_code=2,
-        )
+        remedy = "add --base-image, such as ros:jazzy-base; rosml init proposes one"
+        raise RosmlError("there is no base image", remedy, exit_code=2)
     # Two calls may work side by side, unless they make the same image: then they take turns.
     name = f"{names.app}@{values.image_tag}".replace("/", "+").replace(":", "=")
     state = services.state / "containerize" / name

@@ -94,7 +94,7 @@ def write(call: Call, base: Base, slim: Base | None, followed_lock: Lock | None)
     _say_odd_sources(call, staged / "target", private)
     packages = counted(counts["target"] + counts["upstream"], "package")
     packages += f", and {counts['downstream']} that use them," if counts["downstream"] else ""
-    say(f"{packages} for {', '.join(call.platforms)}")
+    say(f"{packages} for {', '.join(call.names.platforms)}")
     if additional := workspace.additional_files(values.additional_files_dir, folder):
         workspace.stage(additional, state / "additional")
     if local := buildx.local_servers(call.services):
@@ -163,12 +163,7 @@ def _write_manifests(call: Call, roots: Mapping[str, Path], out: Path) -> dict[s
 
 
 def _say_odd_sources(call: Call, staged: Path, private: Sequence[str]) -> None:
-    """Says what of a repository is not as its authors may expect.
-
-    Args:
-        staged: its files as the builder gets them.
-        private: those that others may not read in the repository.
-    """
+    """Says what of a repository is not as its authors may expect. `private`: files that others may not read there."""
     for path in workspace.empty_submodules(call.folder):
         call.say(f"the submodule {path} is not there: git submodule update --init --recursive")
     if pointers := workspace.pointers(staged):

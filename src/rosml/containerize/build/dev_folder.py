@@ -9,6 +9,7 @@ import re
 import tempfile
 from dataclasses import asdict, replace
 from pathlib import Path
+from typing import Any
 
 from pydantic import ConfigDict, ValidationError
 
@@ -33,42 +34,35 @@ MARKS = ("COLCON_IGNORE", "CATKIN_IGNORE")
 POINTS = ("src/target", "src/upstream")
 """The folders of the workspace on which sources are mounted. Without them, the engine would make them, for root."""
 
-UNUSED = (
-    "platform",
-    "push",
-    "target",
-    "enable-push-as-latest",
-    "enable-slim",
-    "slim-base-image",
-    "slim-image-name",
-    "slim-image-tag",
-    "image-name",
-    "image-tag",
-    "dev-image-name",
-    "dev-image-tag",
-    "command",
-    "downstream-workspace",
-    "tests",
-)
-"""Inputs of `rosml containerize` that say nothing of the image: `image_values` sets them."""
+_FIXED: dict[str, Any] = {
+    "platform": "",
+    "push": False,
+    "target": "dev",
+    "enable_push_as_latest": False,
+    "enable_slim": False,
+    "image_tag": "latest",
+    "dev_image_name": "",
+    "dev_image_tag": "",
+    "command": "",
+    "downstream_workspace": "",
+    "tests": False,
+}
+
+UNUSED = {
+    name.replace("_", "-") for name in (*_FIXED, "image_name", "slim_base_image", "slim_image_name", "slim_image_tag")
+}
+"""Inputs of `rosml containerize` that say nothing of the image."""
 
 
 class ImageRecord(Shape):
-    """An image for `rosml dev`.
-
-    Attributes:
-        key: the digest of its inputs.
-        image: its name, as in `ShellImage`.
-        id: its id in the engine.
-        upstream: the folder with the imported repositories; empty if there are none.
-    """
+    """An image for `rosml dev`."""
 
     model_config = ConfigDict(strict=True, extra="forbid")
 
-    key: str
-    image: str
-    id: str
-    upstream: str
+    key: str  # the digest of its inputs
+    image: str  # its name, as in `ShellImage`
+    id: str  # in the engine
+    upstream: str  # the folder with the imported repositories; empty if there are none
 
 
 def image_name(folder: Path) -> str:
@@ -79,21 +73,7 @@ def image_name(folder: Path) -> str:
 
 def image_values(values: Values, folder: Path) -> Values:
     """The inputs of the image, from those of `rosml containerize`: it is for this machine alone, and has no app."""
-    return replace(
-        values,
-        platform="",
-        push=False,
-        target="dev",
-        enable_push_as_latest=False,
-        enable_slim=False,
-        image_name=image_name(folder),
-        image_tag="latest",
-        dev_image_name="",
-        dev_image_tag="",
-        command="",
-        downstream_workspace="",
-        tests=False,
-    )
+    return replace(values, **_FIXED, image_name=image_name(folder))
 
 
 def record_file(folder: Path, state: Path) -> Path:
@@ -116,11 +96,7 @@ def write_record(file: Path, record: ImageRecord) -> None:
 
 def inputs_digest(folder: Path, values: Values) -> str:
     """The digest of all inputs of the image that are on this machine. The base image and upstream branches may move: they are
-    looked up only if the image is made.
-
-    Raises:
-        RosmlError: an input cannot be read, or is wrong (exit code 2).
-    """
+    looked up only if the image is made."""
     paths = [*workspace.manifests(folder, left=LeftOut(folder))]
     paths += repos_file.found(folder) if values.enable_recursive_vcs_import else [folder / values.vcs_import_file]
     paths.append(lock.place(folder, values.lock_file, renew=False))
@@ -141,14 +117,7 @@ def inputs_digest(folder: Path, values: Values) -> str:
 
 
 def require_owner(folder: Path, uid: int) -> None:
-    """Checks that a user can keep files in a folder, and that these will be theirs.
-
-    Args:
-        uid: the user who calls.
-
-    Raises:
-        RosmlError: the folder, or what was kept in it, belongs to somebody else.
-    """
+    """Checks that a user can keep files in a folder, and that these will be theirs."""
     owner = folder.stat().st_uid
     if uid == 0 and owner != 0:
         text = f"{folder} belongs to the user {owner}, and you are root: what is built there would be root's"

@@ -15,7 +15,6 @@ PRINTED = "output.log"
 """The file of a package with the output of its tests, if they left no report."""
 
 _WRONG = ("failures", "errors")
-"""The attributes with the numbers of failed tests of a suite."""
 
 MOST = 1000
 """The most failed tests that are named."""
@@ -129,16 +128,15 @@ def _reason(message: str, text: str) -> str:
     return f"{NOT_COLLECTED}: {lines[-1][1:].strip()}" if lines else NOT_COLLECTED
 
 
-def _innermost_without_tests(root: ElementTree.Element) -> Iterator[ElementTree.Element]:
-    around = {child: parent for parent in root.iter() for child in parent}
-    full: set[ElementTree.Element] = set()
-    for kind in ("testcase", "testsuite"):
-        for element in root.iter(kind):
-            place = around.get(element)
-            while place is not None and place not in full:
-                full.add(place)
-                place = around.get(place)
-    yield from (suite for suite in root.iter("testsuite") if suite not in full)
+def _innermost_without_tests(root: ElementTree.Element) -> list[ElementTree.Element]:
+    suites: list[ElementTree.Element] = []
+    parents: set[ElementTree.Element] = set()
+    for element in reversed([*root.iter()]):  # children before their parents
+        if any(child in parents or child.tag in ("testcase", "testsuite") for child in element):
+            parents.add(element)
+        elif element.tag == "testsuite":
+            suites.append(element)
+    return suites[::-1]
 
 
 def _ctest(test: ElementTree.Element, package: str, passed_reports: set[str], failed_reports: set[str]) -> Tests:

@@ -13,36 +13,22 @@ from rosml.containerize.names import SLIM
 
 
 class Outcome(Shape):
-    """What another build from the same would come to as well.
-
-    Attributes:
-        packages: ROS packages of the app. keys: what each key of rosdep became.
-        installed: packages of the operating system that the run image has beyond its base.
-        changed: files of the base image that these packages change.
-        replaced: packages and files of the base image that they replace or remove; if there are some, the run image does not
-            share its layers with the base image alone.
-        slim_replaced: the same of the slim image and its base; None if there is no slim image.
-        outside: what the packages installed outside of the install space, which is in no image.
-        lost, slim_lost: what files of the install space need, the build had and the run image or the slim image lacks.
-        absent: what they need, and neither an image nor the build has.
-        forgotten: launch files and programs, as `PACKAGE NAME`, that are not installed, with a place of each.
-        added: the packages of apt and pip that were added, with their versions.
-    """
+    """What another build from the same would come to as well."""
 
     model_config = ConfigDict(strict=True, extra="forbid")
 
-    packages: list[str] = []
-    keys: dict[str, list[Answer]] = {}
-    installed: list[str] = []
-    changed: list[str] = []
-    replaced: list[str] = []
-    slim_replaced: list[str] | None = None
-    outside: list[str] = []
-    lost: list[str] = []
-    slim_lost: list[str] = []
-    absent: list[str] = []
-    forgotten: dict[str, str] = {}
-    added: lock.Packages = lock.Packages()
+    packages: list[str] = []  # ROS packages of the app
+    keys: dict[str, list[Answer]] = {}  # what each key of rosdep became
+    installed: list[str] = []  # packages of the system that the run image has beyond its base
+    changed: list[str] = []  # files of the base image that these change
+    replaced: list[str] = []  # packages and files of the base image that they replace or remove
+    slim_replaced: list[str] | None = None  # of the slim image's base; None if there is no slim image
+    outside: list[str] = []  # files installed outside of the install space, which are in no image
+    lost: list[str] = []  # what the install space needs, the build had and the run image lacks
+    slim_lost: list[str] = []  # what the slim image lacks beyond that
+    absent: list[str] = []  # what it needs, and neither an image nor the build has
+    forgotten: dict[str, str] = {}  # launch files and programs that are not installed: `PACKAGE NAME`, and a place
+    added: lock.Packages = lock.Packages()  # packages of apt and pip, with their versions
 
     @property
     def replacing(self) -> dict[str, list[str]]:
@@ -72,5 +58,4 @@ def of_reports(dependencies: Dependencies, apps: Sequence[Facts], slim_apps: Seq
 
 
 def _replaced(apps: Iterable[Facts]) -> list[str]:
-    """The packages and files of the base image that an app's packages replace or remove, on any platform."""
     return sorted({name for app in apps for name in (*app.replaced, *app.removed)})

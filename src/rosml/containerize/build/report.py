@@ -51,43 +51,25 @@ class Answer(_Model):
 
 
 class Dependencies(_Model):
-    """The dependencies of an app's packages.
+    """The dependencies of an app's packages."""
 
-    Attributes:
-        packages: for each ROS package its keys of rosdep, by kind.
-        keys: the rule for each key.
-        skipped: keys that were left out.
-    """
-
-    packages: dict[str, dict[str, list[str]]]
-    keys: dict[str, list[Answer]]
-    skipped: list[str]
+    packages: dict[str, dict[str, list[str]]]  # for each ROS package its keys of rosdep, by kind
+    keys: dict[str, list[Answer]]  # the rule for each key
+    skipped: list[str]  # keys that were left out
 
 
 class Facts(_Model):
-    """The changes of an app to its base image, for one platform.
+    """The changes of an app to its base image, for one platform. The last three are for the lock file, as in `lock.Packages`."""
 
-    Attributes:
-        packages: new packages of the operating system, with their architecture.
-        replaced: packages of the base image that it replaces or removes.
-        changed, removed: files of the base image that its packages change, and that it removes.
-        built: ROS packages in the install space.
-        lost: dependencies of files in the install space that the build had and the image lacks.
-        absent: dependencies that the build lacked, too.
-        forgotten: launch files and programs, as `PACKAGE NAME`, that no image has; with their places in the sources or the build.
-        outside: files that its ROS packages installed outside of the install space.
-        architecture, apt, pip: versions for the lock file, as in `lock.Packages`.
-    """
-
-    packages: list[str]
-    replaced: list[str]
-    changed: list[str]
-    removed: list[str]
-    built: list[str]
-    lost: list[str]
-    absent: list[str]
-    forgotten: dict[str, str]
-    outside: list[str]
+    packages: list[str]  # new packages of the system, with their architecture
+    replaced: list[str]  # packages of the base image that it replaces or removes
+    changed: list[str]  # files of the base image that its packages change
+    removed: list[str]  # files of the base image
+    built: list[str]  # ROS packages in the install space
+    lost: list[str]  # dependencies of the install space that the build had and the image lacks
+    absent: list[str]  # dependencies that the build lacked, too
+    forgotten: dict[str, str]  # launch files and programs, as `PACKAGE NAME`, that no image has; with their places
+    outside: list[str]  # files that its ROS packages installed outside of the install space
     architecture: lock.Architecture
     apt: dict[lock.Deb, lock.Version]
     pip: list[lock.Requirement]
@@ -109,12 +91,7 @@ def _place(platform: str, platforms: Sequence[str]) -> str:
 
 @dataclass(frozen=True)
 class AppReport:
-    """The report of rosml's own steps about an app.
-
-    Attributes:
-        folder: the files of the report.
-        places: a folder in it for each platform.
-    """
+    """The report of rosml's own steps about an app, with a folder for each platform."""
 
     folder: Path
     places: Mapping[str, Path]
@@ -123,19 +100,13 @@ class AppReport:
         return self._model(Dependencies, next(iter(self.places.values())) / DEPENDENCIES)
 
     def apps(self) -> list[Facts]:
-        """The app's changes, for each platform."""
         return [self._model(Facts, place / APP) for place in self.places.values()]
 
     def slim_apps(self) -> list[Facts]:
-        """The app's changes to the slim image, for each platform."""
         return [self._model(Facts, place / SLIM_APP) for place in self.places.values()]
 
     def detail(self, name: str) -> bytes:
-        """The contents of an image, by a name of `details`.
-
-        Raises:
-            RosmlError: the build did not report them.
-        """
+        """The contents of an image, by a name of `details`."""
         return exported.read(self.folder, self._paths()[name])
 
     def details(self) -> dict[str, bytes]:
@@ -157,17 +128,12 @@ class AppReport:
         except ValueError as error:
             reason = first_of(error) if isinstance(error, ValidationError) else error
             text = f"what the build says of the app is damaged: {path}: {reason}"
-            raise RosmlError(
-                text, "look at what your scripts and packages install; if that is right, report this"
-            ) from None
+            remedy = "look at what your scripts and packages install; if that is right, report this"
+            raise RosmlError(text, remedy) from None
 
 
 def of_app(archive: Path, folder: Path, platforms: Sequence[str]) -> AppReport:
-    """Unpacks the archive of rosml's own steps into a folder, which belongs to this module.
-
-    Raises:
-        RosmlError: the archive is missing or damaged.
-    """
+    """Unpacks the archive of rosml's own steps into a folder, which belongs to this module."""
     refused = exported.unpack(archive, folder, limits=exported.OURS)
     for name, reason in refused.items():
         raise RosmlError(f"what the build says of the app is damaged: {name}: {reason}", "run it again")
@@ -176,12 +142,7 @@ def of_app(archive: Path, folder: Path, platforms: Sequence[str]) -> AppReport:
 
 def of_tests(archive: Path, folder: Path, platforms: Sequence[str]) -> TestResults:
     """Reads the test reports, and leaves them in a folder for people: if there are several platforms, in a folder for each.
-
-    If a report is no file, or too large, it counts as a failed test.
-
-    Raises:
-        RosmlError: the archive is missing, damaged or too large.
-    """
+    If a report is no file, or too large, it counts as a failed test."""
     places = [_place(platform, platforms) for platform in platforms]
     refused = exported.unpack(archive, folder, _is_report)
     results = {kind: [junit.read(folder / place / kind) for place in places] for kind in KINDS}

@@ -23,7 +23,6 @@ from rosml.containerize.lock import Lock
 from rosml.containerize.sources.fetch import Repository
 
 SHOWN = 3
-"""How many names of a list a line of the summary has."""
 
 
 @dataclass(frozen=True)
@@ -37,50 +36,30 @@ class Image:
 
 @dataclass(frozen=True)
 class ShellImage:
-    """The image for `rosml dev`.
+    """The image for `rosml dev`."""
 
-    Attributes:
-        reference: its name in Docker, or its name by digest in a registry.
-        loaded: whether it is in Docker.
-        upstream: the folder with the imported repositories; None if there are none.
-    """
-
-    reference: str
-    loaded: bool
-    upstream: Path | None = None
+    reference: str  # its name in Docker, or its name by digest in a registry
+    loaded: bool  # into Docker
+    upstream: Path | None = None  # the folder with the imported repositories
 
 
 @dataclass(frozen=True)
 class Result:
-    """The result of a build.
-
-    Attributes:
-        base: the base image by its digest.
-        outcome: the part of the result that another build from the same would repeat.
-        unstarted: the files of `outcome.forgotten` that the command starts.
-        lock: the inputs of the images.
-        lock_file: its file, if it was written.
-        described: images with an SBOM and a list of files beside them in the registry.
-        reports: the folder of JUnit files; empty if an earlier build passed the tests.
-        waited: how many of the seconds other builds had the builder.
-    """
-
-    base: str
+    base: str  # by its digest
     images: Sequence[Image]
-    outcome: Outcome
-    unstarted: Sequence[str] = ()
+    outcome: Outcome  # what another build from the same would repeat
+    unstarted: Sequence[str] = ()  # the files of `outcome.forgotten` that the command starts
     upstream: Sequence[Repository] = ()
     downstream: Sequence[Repository] = ()
     lock: Lock | None = None
-    lock_file: str = ""
-    described: Sequence[str] = ()
+    lock_file: str = ""  # if it was written
+    described: Sequence[str] = ()  # images with an SBOM and a list of files in the registry
     tests: TestResults = field(default_factory=TestResults)
-    reports: str = ""
+    reports: str = ""  # the folder of JUnit files; empty if an earlier build passed the tests
     seconds: float = 0.0
-    waited: float = 0.0
+    waited: float = 0.0  # how many of the seconds other builds had the builder
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         fields = asdict(self)
         tests = fields.pop("tests")
         fields |= {"tests": tests["target"], "slim_tests": tests["slim"], "downstream_tests": tests["downstream"]}
@@ -135,8 +114,7 @@ def _passed(tests: Tests) -> str:
 
 
 def lock_of(call: Call, inputs: Inputs, outcome: Outcome, fetched: Fetched, followed_lock: Lock | None) -> Lock:
-    """The lock: the inputs of the images."""
-    if followed_lock and not followed_lock.lacks(call.platforms):
+    if followed_lock and not followed_lock.lacks(call.names.platforms):
         return followed_lock  # it may have more: of another platform, or of a slim image
     slim = lock.Image(name=call.values.slim_base_image, digest=inputs.slim.digest) if inputs.slim else None
     index, rosdep = call.values.rosdep_index, None

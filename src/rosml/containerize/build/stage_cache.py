@@ -11,16 +11,17 @@ import hashlib
 import json
 import os
 import stat
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from pydantic import ConfigDict, Field
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.shapes import Shape
+from rosml.containerize.build import bake_file
+from rosml.containerize.build.bake_file import BASE, Inputs
 from rosml.containerize.build.junit import Tests
 from rosml.containerize.build.outcome import Outcome
 from rosml.containerize.within import SECRET
@@ -31,14 +32,7 @@ from rosml.registry.documents import Descriptor
 IDENTIFIED = "identified"
 """The stage that finds the packages that the sources need."""
 
-BASE = "base"
-"""The stage that installs ROS on an image without it."""
-
-ADOPTED = "adopted"
-"""The value that decides this stage."""
-
 REPORT = "report"
-"""The beginning of a report's tag."""
 
 _TYPE = "application/vnd.rosml.app.report.v1+json"
 _DETAIL = "application/octet-stream"
@@ -47,21 +41,13 @@ _TITLE = "org.opencontainers.image.title"
 
 @dataclass(frozen=True)
 class Keys:
-    """Digests of the inputs of stages.
+    """Digests of the inputs of stages."""
 
-    Attributes:
-        environment: for the installed dependencies.
-        upstream: for the built upstream packages.
-        app: for the whole app.
-        slim: there are stages of a slim image.
-        base: for a base on which ROS was installed; empty if it had ROS.
-    """
-
-    environment: str
-    upstream: str
-    app: str
-    slim: bool
-    base: str = ""
+    environment: str  # for the installed dependencies
+    upstream: str  # for the built upstream packages
+    app: str  # for the whole app
+    slim: bool  # there are stages of a slim image
+    base: str = ""  # for a base on which ROS was installed; empty if it had ROS
 
     @property
     def stages(self) -> Mapping[str, str]:
@@ -76,40 +62,37 @@ class Keys:
 
     @property
     def report(self) -> str:
-        """The tag of the report."""
         return f"{REPORT}-{self.app}"
 
 
-@dataclass(frozen=True)
-class StageInputs:
-    """All that decides the content of stages.
-
-    Attributes:
-        values: values that decide which packages are installed, and from where.
-        dependencies: folders that decide the same.
-        upstream, target, downstream: folders with sources.
-        arguments: the arguments of CMake and of colcon.
-        tests: whether tests run, as text.
-        hooked: a script changes the sources before their dependencies are read, so all sources decide the dependencies.
-    """
-
-    values: Mapping[str, Any]
-    dependencies: Sequence[Path]
-    upstream: Path
-    target: Path
-    downstream: Path
-    arguments: str
-    tests: str
-    hooked: bool
-
-    def keys(self) -> Keys:
-        upstream, target = (tree(folder, SECRET) for folder in (self.upstream, self.target))
-        dependencies = [tree(folder) for folder in self.dependencies]
-        environment = _digest(self.values, dependencies, [upstream, target] if self.hooked else [])
-        built = _digest(environment, upstream, self.arguments, target if self.hooked else "")
-        app = _digest(built, target, tree(self.downstream, SECRET), self.tests)
-        base = _digest([self.values.get(name) for name in ("base", "platforms", ADOPTED)])
-        return Keys(environment, built, app, bool(self.values.get("slim")), base if self.values.get(ADOPTED) else "")
+def keys(inputs: Inputs, platforms: tuple[str, ...]) -> Keys:
+    """The keys of a build's stages."""
+    values, contexts = inputs.values, inputs.contexts
+    decisive: dict[str, object] = {
+        "base": inputs.base.digest,
+        "platforms": platforms,
+        "ros": inputs.distribution,
+        "skip-keys": values.skip_keys,
+        "conditions": inputs.conditions,
+        **({"adopted": inputs.base.adopted.inputs} if inputs.base.adopted else {}),
+        **({"slim": inputs.slim.digest} if inputs.slim else {}),
+        **({"addons": [*inputs.base.addons.parts.values()]} if inputs.base.addons else {}),
+    }
+    # Other lists of rosdep than those that the user names are the newest, and change every day for nothing.
+    names = ("manifests", "requests", "additional", *(["rosdep"] if values.rosdep_index else []))
+    folders = [
+        *(contexts[name] for name in names),
+        *(bake_file.SCRIPTS / name for name in ("containerize", "build", "ros")),
+    ]
+    upstream, target = (tree(contexts[name], SECRET) for name in ("upstream", "target"))
+    # A script may change sources before their dependencies are read: then all sources decide the dependencies.
+    hooked = [upstream, target] if inputs.hooked else []
+    environment = _digest(decisive, [tree(folder) for folder in folders], hooked)
+    arguments = f"{values.cmake_args}\0{values.colcon_args}" if values.colcon_args else values.cmake_args
+    built = _digest(environment, upstream, arguments, target if inputs.hooked else "")
+    app = _digest(built, target, tree(contexts["downstream"], SECRET), str(values.tests))
+    base = _digest([decisive.get(name) for name in ("base", "platforms", "adopted")]) if inputs.base.adopted else ""
+    return Keys(environment, built, app, inputs.slim is not None, base)
 
 
 def tree(folder: Path, without: Container[str] = ()) -> str:
@@ -142,27 +125,20 @@ def _paths(folder: Path, without: Container[str]) -> Iterator[Path]:
 
 
 def _digest(*parts: object) -> str:
-    """A short digest, for a tag."""
     return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()[:32]
 
 
 class Report(Shape):
-    """What a build came to, as it is kept.
-
-    Attributes:
-        form: digest of the fields that there are: a release of rosml with others passes it over.
-        tests: how many there are, and how many of them were skipped.
-    """
+    """What a build came to, as it is kept."""
 
     model_config = ConfigDict(strict=True, extra="forbid")
 
-    form: str
+    form: str  # of the fields: a release of rosml with others passes it over
     outcome: Outcome
     tests: list[int] = Field(min_length=2, max_length=2)
 
     @property
     def passed(self) -> Tests:
-        """The tests, of which none failed."""
         count, skipped = self.tests
         return Tests(count, skipped)
 
@@ -174,18 +150,13 @@ def form() -> str:
 
 
 class Cache:
-    """The repository with the stages. Use it in a `with`.
-
-    Raises:
-        RosmlError: the name is no repository (exit code 2).
-    """
+    """The repository with the stages. Use it in a `with`."""
 
     def __init__(self, name: str, ca_bundle: str) -> None:
         self._place = references.parse(name)
         if not name.endswith(self._place.repository):
-            raise RosmlError(
-                f"cache: {name} has a tag", "name a repository alone, such as ghcr.io/me/cache", exit_code=2
-            )
+            remedy = "name a repository alone, such as ghcr.io/me/cache"
+            raise RosmlError(f"cache: {name} has a tag", remedy, exit_code=2)
         self._registry = Registry(self._place.host, ca_bundle=ca_bundle)
 
     def __enter__(self) -> Cache:
@@ -198,11 +169,7 @@ class Cache:
         return f"{self._place.host}/{self._place.repository}:{tag}"
 
     def stages(self, keys: Keys) -> dict[str, str]:
-        """The stages that the repository has: names, and references by digest.
-
-        Raises:
-            RosmlError: a stage is no image from which a build may start (exit code 2); the registry does not answer or refuses.
-        """
+        """The stages that the repository has: names, and references by digest. Each is an image from which a build may start."""
         present = {}
         for stage, tag in keys.stages.items():
             if manifest := self._registry.manifest(self._place.repository, tag):
@@ -223,11 +190,7 @@ class Cache:
             return None
 
     def detail(self, keys: Keys, name: str) -> bytes:
-        """A detail of a build from the same inputs, by a name as in `keep`.
-
-        Raises:
-            RosmlError: there is no such detail; or the registry does not answer or refuses.
-        """
+        """A detail of a build from the same inputs, by a name as in `keep`."""
         for layer in self._layers(keys):
             if layer.annotations.get(_TITLE) == name:
                 return self._registry.part(self._place.repository, layer)

@@ -7,7 +7,7 @@ import functools
 import re
 import shutil
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from rosml.base import files
@@ -17,7 +17,7 @@ from rosml.containerize.build.bake_file import ASKED, REPORT, RESULTS, Inputs, R
 from rosml.containerize.build.call import Call
 from rosml.containerize.build.outcome import Outcome
 from rosml.containerize.build.result import Image, ShellImage
-from rosml.containerize.build.stage_cache import IDENTIFIED, Cache, Keys, StageInputs
+from rosml.containerize.build.stage_cache import IDENTIFIED, Cache, Keys
 from rosml.containerize.lock import Lock
 from rosml.containerize.names import DESK
 from rosml.containerize.packages import workspace
@@ -34,27 +34,21 @@ _UNAVAILABLE = re.compile(
 
 @dataclass(frozen=True)
 class Stages:
-    """The stages of an app. `keys` is None if there is no cache."""
-
     recipe: Recipe
-    keys: Keys | None
+    keys: Keys | None  # None without a cache
+
+    @property
+    def call(self) -> Call:
+        return self.recipe.call
 
 
 @dataclass(frozen=True)
 class Packages:
-    """The built packages.
-
-    Attributes:
-        reports: the folder of the tests' JUnit files; empty if an earlier build passed them.
-        load: reads the contents of an image, by a name as in `AppReport.details`.
-        details: reads all of them, for a cache; None if they are from there.
-    """
-
     outcome: Outcome
     tests: report.TestResults
-    reports: str
-    load: Callable[[str], bytes]
-    details: Callable[[], Mapping[str, bytes]] | None = None
+    reports: str  # the folder of the tests' JUnit files; empty if an earlier build passed them
+    load: Callable[[str], bytes]  # reads the contents of an image, by a name as in `AppReport.details`
+    details: Callable[[], Mapping[str, bytes]]  # reads all contents that no cache has
 
 
 def open_cache(call: Call) -> contextlib.AbstractContextManager[Cache | None]:
@@ -69,97 +63,60 @@ def choose(call: Call, inputs: Inputs, followed_lock: Lock | None, cache: Cache 
     by_name = bool(call.values.rosdep_index)
     if by_name or not cache:
         inputs = contexts.with_rosdep_lists(call, inputs, followed_lock)
-    archives = {name: call.state / f"{name}.tar" for name in (REPORT, RESULTS, ASKED)}
-    recipe = Recipe(inputs, call.names, call.services, [*call.environment], archives)
     if not cache:
-        return Stages(recipe, None)
-    keys = _stage_inputs(call, inputs).keys()
+        return Stages(Recipe(call, inputs), None)
+    keys = stage_cache.keys(inputs, call.names.platforms)
     cached = cache.stages(keys)
     if not by_name and IDENTIFIED not in cached:
         inputs = contexts.with_rosdep_lists(call, inputs, followed_lock)
     pushed = {stage: cache.reference(tag) for stage, tag in keys.stages.items() if stage not in cached}
-    return Stages(replace(recipe, inputs=inputs, cached_stages=cached, pushed_stages=pushed), keys)
+    return Stages(Recipe(call, inputs, cached, pushed), keys)
 
 
-def _stage_inputs(call: Call, inputs: Inputs) -> StageInputs:
-    values, folders = inputs.values, inputs.contexts
-    names = ["manifests", "requests", "additional"]
-    if values.rosdep_index:  # other lists are the newest, and change every day for nothing
-        names.append("rosdep")
-    decisive: dict[str, object] = {"base": inputs.base.digest, "platforms": call.platforms, "ros": inputs.distribution}
-    if inputs.base.adopted:
-        decisive[stage_cache.ADOPTED] = inputs.base.adopted.inputs
-    if inputs.slim:
-        decisive["slim"] = inputs.slim.digest
-    if inputs.base.addons:
-        decisive["addons"] = [*inputs.base.addons.parts.values()]
-    scripts = [bake_file.SCRIPTS / name for name in ("containerize", "build", "ros")]
-    return StageInputs(
-        decisive | {"skip-keys": values.skip_keys, "conditions": inputs.conditions},
-        [*(folders[name] for name in names), *scripts],
-        folders["upstream"],
-        folders["target"],
-        folders["downstream"],
-        f"{values.cmake_args}\0{values.colcon_args}" if values.colcon_args else values.cmake_args,
-        str(values.tests),
-        inputs.hooked,
-    )
-
-
-def earlier_build(call: Call, stages: Stages, cache: Cache | None) -> Packages | None:
+def earlier_build(stages: Stages, cache: Cache | None) -> Packages | None:
     """The packages of an earlier build from the same inputs, if the cache has all stages that images join."""
     if not cache or not stages.keys or {*stages.recipe.inputs.stages} - stages.recipe.cached_stages.keys():
         return None
     kept = cache.report(stages.keys)
     if kept is None:
         return None
-    call.say(f"nothing to build: {call.values.cache} has it")
+    stages.call.say(f"nothing to build: {stages.call.values.cache} has it")
     load = functools.partial(cache.detail, stages.keys)
-    return Packages(kept.outcome, report.TestResults(kept.passed), "", load)
+    return Packages(kept.outcome, report.TestResults(kept.passed), "", load, dict)
 
 
-def build_packages(call: Call, stages: Stages) -> Packages:
-    """Builds the packages and runs their tests.
-
-    Raises:
-        RosmlError: a step failed, or a test that ends the build.
-    """
-    inputs, archives = stages.recipe.inputs, stages.recipe.archives
+def build_packages(stages: Stages) -> Packages:
+    """Builds the packages and runs their tests. Only some failed tests end the build."""
+    recipe, call = stages.recipe, stages.call
     shutil.rmtree(call.reports, ignore_errors=True)
-    for archive in archives.values():
-        archive.unlink(missing_ok=True)
-    file = _write_bake_file(call, bake_file.render(stages.recipe))
-    _install_ros(call, stages.recipe)
+    for name in (REPORT, RESULTS, ASKED):
+        recipe.archive(name).unlink(missing_ok=True)
+    file = _write_bake_file(call, bake_file.render(recipe))
+    _install_ros(recipe)
     try:
-        _bake(call, bake_file.PACKAGES, file, archives[ASKED])
+        _bake(recipe, bake_file.PACKAGES, file)
     except buildx.StepFailed as error:
         if error.stage == bake_file.PASSED:
             buildx.run(call.services, _bake_call(call, bake_file.FAILED, file, "read the reports of the tests"))
-            verdict.require_passed(_test_results(call, archives), call.reports, slim=False)
+            verdict.require_passed(_test_results(recipe), call.reports, slim=False)
         raise
-    app_report = report.of_app(archives[REPORT], call.state / "said", call.platforms)
+    app_report = report.of_app(recipe.archive(REPORT), call.state / "said", call.names.platforms)
     dependencies, apps = app_report.dependencies(), app_report.apps()
     verdict.require_built(dependencies.packages, apps)
-    built = outcome.of_reports(dependencies, apps, app_report.slim_apps() if inputs.slim else None)
-    if not inputs.values.tests:
-        return Packages(built, report.TestResults(), "", app_report.detail, app_report.details)
-    tests = _test_results(call, archives)
-    reports = call.reports if len(call.platforms) > 1 else call.reports / report.TARGET
-    return Packages(built, tests, str(reports), app_report.detail, app_report.details)
+    built = outcome.of_reports(dependencies, apps, app_report.slim_apps() if recipe.inputs.slim else None)
+    tests, reports = report.TestResults(), ""
+    if call.values.tests:
+        tests = _test_results(recipe)
+        reports = str(call.reports if len(call.names.platforms) > 1 else call.reports / report.TARGET)
+    return Packages(built, tests, reports, app_report.detail, app_report.details)
 
 
-def _test_results(call: Call, archives: Mapping[str, Path]) -> report.TestResults:
-    return report.of_tests(archives[RESULTS], call.reports, call.platforms)
+def _test_results(recipe: Recipe) -> report.TestResults:
+    return report.of_tests(recipe.archive(RESULTS), recipe.call.reports, recipe.call.names.platforms)
 
 
-def keep(cache: Cache | None, stages: Stages, packages: Packages) -> None:
-    """Keeps the report of packages whose tests passed, for the next build from the same inputs."""
-    if cache and stages.keys and packages.details:
-        cache.keep(stages.keys, packages.outcome, packages.tests.target, packages.details())
-
-
-def join_images(call: Call, stages: Stages, built: Outcome, lock: Lock) -> tuple[Image, ...]:
-    """Joins the images, and puts them where they belong."""
+def join_images(stages: Stages, built: Outcome, lock: Lock) -> tuple[Image, ...]:
+    call = stages.call
     file = _write_bake_file(call, bake_file.render(stages.recipe, built.replacing, lock.line()))
     first, *others = targets = stages.recipe.inputs.targets
     bake = buildx.Bake(first, f"containerize-{call.state.name}-images", file, beside=others)
@@ -173,11 +130,7 @@ def join_images(call: Call, stages: Stages, built: Outcome, lock: Lock) -> tuple
 def attach_contents(
     call: Call, images: Sequence[Image], packages: Packages, upstream: Sequence[Repository]
 ) -> tuple[str, ...]:
-    """Attaches an SBOM, a list of files and facts to images in a registry. Some registries refuse that.
-
-    Returns:
-        The images that have them.
-    """
+    """Attaches an SBOM, a list of files and facts to images in a registry. Returns those that have them: some registries refuse."""
     if not call.values.sbom or call.names.loads:
         return ()
     owners = {
@@ -205,11 +158,11 @@ def attach_contents(
     return tuple(described)
 
 
-def build_shell_image(call: Call, stages: Stages) -> ShellImage:
-    """Builds the environment of the packages with debuggers, and not the packages."""
+def build_shell_image(stages: Stages) -> ShellImage:
+    call = stages.call
     file = _write_bake_file(call, bake_file.render_shell_image(stages.recipe))
-    _install_ros(call, stages.recipe)
-    metadata = _bake(call, DESK, file, stages.recipe.archives[ASKED])
+    _install_ros(stages.recipe)
+    metadata = _bake(stages.recipe, DESK, file)
     reference = call.names.reference(DESK)
     if not call.names.loads:
         reference = f"{reference.rpartition(':')[0]}@{metadata.get('containerimage.digest', '')}"
@@ -222,42 +175,38 @@ def _write_bake_file(call: Call, text: str) -> Path:
     return file
 
 
-def _install_ros(call: Call, recipe: Recipe) -> None:
+def _install_ros(recipe: Recipe) -> None:
     """Installs ROS on a base image without it, one app after the other. All other steps wait for nobody."""
-    if recipe.inputs.base.adopted and stage_cache.BASE not in recipe.cached_stages:
-        adopt.prepare(recipe.inputs.base, call.services, call.environment, call.platforms)
+    base, call = recipe.inputs.base, recipe.call
+    if base.adopted and bake_file.BASE not in recipe.cached_stages:
+        adopt.make(base, call.services, call.environment, call.names.platforms, "", "type=cacheonly")
 
 
-def _bake(call: Call, target: str, file: Path, identified: Path) -> Mapping[str, str]:
-    """Builds a target that installs packages. Returns the builder's facts about it.
-
-    Args:
-        file: the bake file.
-        identified: the archive of its target `ASKED`.
-    """
+def _bake(recipe: Recipe, target: str, file: Path) -> Mapping[str, str]:
+    """Builds a target that installs packages. Returns the builder's facts about it."""
     try:
-        return buildx.run(call.services, _bake_call(call, target, file))[1]
+        return buildx.run(recipe.call.services, _bake_call(recipe.call, target, file))[1]
     except RosmlError as error:
-        _explain_unavailable(call, error, file, identified)
+        _explain_unavailable(recipe, error, file)
         raise
 
 
 def _bake_call(call: Call, target: str, file: Path, glance: str = "") -> buildx.Bake:
-    """The call that builds a target with steps. `glance` as in `buildx.Bake`."""
     name = f"containerize-{call.state.name}" + (f"-{target}" if glance else "")
     jobs = {"PARALLEL_JOBS": call.values.parallel_jobs}
     return buildx.Bake(target, name, file, variables=jobs, foreign=bake_file.FOREIGN, glance=glance)
 
 
-def _explain_unavailable(call: Call, error: RosmlError, file: Path, identified: Path) -> None:
+def _explain_unavailable(recipe: Recipe, error: RosmlError, file: Path) -> None:
     """If a build failed because apt lacks packages, adds to the error which rule of rosdep names them, and which package
     asks for that rule. The steps that install them do not know: they run again only if the packages differ."""
     unavailable = {name for names in _UNAVAILABLE.findall(error.message) for name in names if name}
     if not unavailable:
         return
     with contextlib.suppress(RosmlError):
+        call = recipe.call
         buildx.run(call.services, buildx.Bake(ASKED, f"containerize-{call.state.name}-asked", file))
-        dependencies = report.of_app(identified, call.state / "asked", call.platforms).dependencies()
+        dependencies = report.of_app(recipe.archive(ASKED), call.state / "asked", call.names.platforms).dependencies()
         wrong_rules = set()
         for key, answers in dependencies.keys.items():
             users = [

@@ -34,15 +34,11 @@ def require_kept_platforms(call: Call) -> None:
     if not call.names.loads:
         with Registries(call.services.ca_bundle) as registries:
             tags = [tag for target in call.names.targets for tag in call.names.tags(target)]
-            app_base.require_kept(registries, tags, call.platforms)
+            app_base.require_kept(registries, tags, call.names.platforms)
 
 
 def require_same_addons(followed_lock: Lock | None, addons: str, base: Base, slim: Base | None) -> None:
-    """Checks that a lock file is of the wanted add-ons. It may have more parts if it has a slim image, and none is built now.
-
-    Args:
-        addons: names of add-ons, as the user wrote them.
-    """
+    """Checks that a lock file is of the wanted add-ons. It may have more parts if it has a slim image, and none is built now."""
     if followed_lock is None:
         return
     locked_parts, parts = followed_lock.addons or {}, bases.parts(base, slim)
@@ -139,6 +135,5 @@ def unstarted(command: str, forgotten: Mapping[str, str]) -> list[str]:
 
 
 def _lines(texts: Sequence[str]) -> str:
-    """The first of many lines, for a message."""
     more = [f"and {len(texts) - SHOWN} more"] if len(texts) > SHOWN else []
     return "".join(f"\n    {line}" for line in [*texts[:SHOWN], *more])

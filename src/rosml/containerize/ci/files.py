@@ -21,32 +21,13 @@ _DECIDED = ("enable-checkout", "enable-singlearch-push")
 NOT_OF_GITLAB = (*_DECIDED, "enable-checkout-lfs", "enable-checkout-submodules")
 """Inputs that GitLab, or its jobs for one platform each, decide."""
 
-_OTHER_STEPS = (
-    "registry",
-    "registry-user",
-    "registry-password",
-    "enable-checkout",
-    "enable-checkout-lfs",
-    "enable-checkout-submodules",
-)
+_OF_CHECKOUT = ("enable-checkout", "enable-checkout-lfs", "enable-checkout-submodules")
+_OF_REGISTRY = ("registry", "registry-user", "registry-password")
+_OTHER_STEPS = (*_OF_REGISTRY, *_OF_CHECKOUT)
 """Inputs of the action that the command does not need."""
 
-_INDEX = (
-    "target",
-    "platform",
-    "image-name",
-    "image-tag",
-    "dev-image-name",
-    "dev-image-tag",
-    "slim-image-name",
-    "slim-image-tag",
-    "push",
-    "enable-push-as-latest",
-    "registry",
-    "registry-user",
-    "registry-password",
-    "build-context",
-)
+_OF_TAGS = [f"{before}image-{part}" for before in ("", "dev-", "slim-") for part in ("name", "tag")]
+_INDEX = ("target", "platform", *_OF_TAGS, "push", "enable-push-as-latest", *_OF_REGISTRY, "build-context")
 """Inputs of the job that moves the tags."""
 
 _BLOCK = re.compile(
@@ -137,7 +118,6 @@ def _help(setting: Setting, default: Default) -> str:
 
 
 def _environment(settings: Iterable[Setting]) -> Iterator[str]:
-    """Variables of a step of an action, from its inputs."""
     for setting in settings:
         if setting.input.name not in _OTHER_STEPS:
             token = f" || {setting.token}" if setting.token else ""

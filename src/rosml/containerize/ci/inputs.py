@@ -13,18 +13,14 @@ from rosml.containerize.inputs import Input
 
 @dataclass(frozen=True)
 class Setting:
-    """An input in CI.
-
-    Attributes:
-        github, gitlab: its default, in the forge's words; that of the table if empty.
-        server: for inputs whose default is the job's token on GitHub: the input that names a server, and the only server that
-            gets the token.
-    """
+    """An input in CI."""
 
     input: Input
-    github: str = ""
+    github: str = ""  # its default, in the forge's words; that of the table if empty
     gitlab: str = ""
-    server: tuple[str, str] | None = None
+    server: tuple[str, str] | None = (
+        None  # if its default is the job's token: the input that names a server, and the only one that gets it
+    )
 
     @property
     def token(self) -> str:
@@ -46,7 +42,6 @@ OWN = (
     Setting(Input("enable-checkout-lfs", "with files of Git LFS"), "true"),
     Setting(Input("enable-checkout-submodules", "with submodules: false, true or recursive"), "recursive"),
 )
-"""Inputs that only CI has."""
 
 _DEFAULTS: dict[str, tuple[Any, ...]] = {
     "target": ("run", "run"),
@@ -61,10 +56,8 @@ _DEFAULTS: dict[str, tuple[Any, ...]] = {
 """Inputs of the table with a better default in CI: the fields of their settings."""
 
 SETTINGS = (*(Setting(item, *_DEFAULTS.get(item.name, ())) for item in app_inputs.TABLE), *OWN)
-"""All inputs in CI, in their order."""
 
 SECRET = (*app_inputs.SECRET, "registry-password")
-"""Inputs that are secrets of the workflow."""
 
 
 def given_inputs(environment: Mapping[str, str]) -> dict[str, str]:
@@ -79,11 +72,7 @@ def given_inputs(environment: Mapping[str, str]) -> dict[str, str]:
 
 
 def flag(name: str, inputs: Mapping[str, str]) -> bool:
-    """Whether an input that only CI has is true.
-
-    Raises:
-        RosmlError: it is neither true nor false (exit code 2).
-    """
+    """Whether an input that only CI has is true."""
     value = inputs.get(name, "false").lower()
     if value not in ("true", "false"):
         raise RosmlError(f"{name} is true or false, not {value!r}", f"check {name}", exit_code=2)

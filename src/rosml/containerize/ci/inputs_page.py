@@ -13,11 +13,9 @@ from rosml.containerize.ci import inputs as ci_inputs
 _BY = "written by rosml generate"
 
 PAGES = {"docs/containerize/inputs.md": ("inputs", "gone"), "docs/containerize/ci.md": ("ci",)}
-"""The tables of each page."""
 
 
 def render(path: str, page: str) -> str:
-    """The page with up-to-date tables."""
     lines = {"inputs": _inputs, "gone": _gone, "ci": _ci}
     for name in PAGES[path]:
         begin, end = f"<!-- {name}: {_BY} -->\n", f"<!-- /{name} -->"

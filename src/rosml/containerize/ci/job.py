@@ -44,26 +44,14 @@ Say = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Commit:
-    """The commit to build.
-
-    Attributes:
-        branch: the name of its branch, or of a pull request's branch, in small letters, digits and hyphens.
-        tag: its git tag, if it has one.
-        default: it is of the default branch.
-    """
-
-    branch: str
-    tag: str
-    default: bool
+    branch: str  # also a pull request's; in small letters, digits and hyphens
+    tag: str  # its git tag, if it has one
+    default: bool  # it is of the default branch
     folder: Path
 
 
 def commit(environment: Mapping[str, str]) -> Commit:
-    """The commit, from the forge's variables.
-
-    Raises:
-        RosmlError: this is no job of GitHub or GitLab (exit code 2).
-    """
+    """The commit, from the forge's variables."""
     if environment.get("GITHUB_ACTIONS") == "true":
         # In an event pull_request_target, the ref is the default branch, but the commit may be anybody's.
         head, ref = environment.get("GITHUB_HEAD_REF", ""), environment.get("GITHUB_REF", "")
@@ -107,32 +95,21 @@ def tags(target: str, values: Values, commit: Commit) -> list[str]:
 
 @dataclass(frozen=True)
 class Image:
-    """An image in its registry.
-
-    Attributes:
-        target: run, dev or slim.
-        name: its name without a tag.
-        tags: the tags of the commit's images.
-        end: the end of its own tags, such as `-arm64`.
-    """
-
-    target: str
-    name: str
-    tags: tuple[str, ...]
-    end: str
+    target: str  # run, dev or slim
+    name: str  # without a tag
+    tags: tuple[str, ...]  # of the commit's images
+    end: str  # of its own tags, such as `-arm64`
     platforms: tuple[str, ...]
     digest: Digest
 
     @property
     def reference(self) -> str:
-        """Its name with its first tag."""
         return f"{self.name}:{self.tags[0]}{self.end}"
 
 
 _IMAGES = adapter(list[Image])
 
 _MOST = 1 << 20
-"""The most bytes of a file with images."""
 
 
 class Job:
@@ -153,16 +130,9 @@ class Job:
         return "containerize-" + re.sub(r"[^a-z0-9._]+", "-", "-".join(parts).lower())
 
     def build(self, folder: Path, services: Services, out: Path, apart: bool) -> list[Image]:
-        """Builds and tests the images.
+        """Builds and tests the images. If `apart`, each platform gets its own tags, and there is no index.
 
-        Args:
-            folder: the repository.
-            out: the folder for reports and `images.json`.
-            apart: each platform gets its own tags, and there is no index.
-
-        Raises:
-            RosmlError: a step or a test failed.
-        """
+        Reports and `images.json` are in `out`."""
         images: list[Image] = []
         shutil.rmtree(out, ignore_errors=True)
         for platforms in [(name,) for name in self._platforms] if apart else [self._platforms]:
@@ -211,14 +181,7 @@ class Job:
 
     def index(self, folder: Path, registries: Registries) -> list[Image]:
         """Makes an index of the images that jobs for one platform each pushed. Then moves the tags to it: all of them, once all
-        images are there. If images were not pushed, it makes nothing.
-
-        Args:
-            folder: the folder with the jobs' files.
-
-        Raises:
-            RosmlError: an image is missing.
-        """
+        images are there. If images were not pushed, it makes nothing."""
         if not self._values.push:
             return []
         built_images, indexes = self.built_images(folder), []
@@ -285,7 +248,6 @@ def _move(registries: Registries, image: Image, first: int) -> None:
 
 
 def _read(file: Path) -> list[Image]:
-    """The images of a job; none if it kept no such file."""
     data = files.regular(file, _MOST)
     try:
         return _IMAGES.validate_json(data) if data is not None else []
