@@ -6,20 +6,15 @@ import struct
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 import pytest
-from test_apps import SLIM, app, calls, put, repository, services
-from test_report import APP
 
-from fakes.http_registry import StandIn
+from fakes.apps import Robot, robot, services
 from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize.build.verdict import unstarted
-from rosml.images.builds.base_images import native_architecture
-from rosml.machine.services import Services
 
-__all__ = ["StandIn", "calls", "repository", "services"]
+__all__ = ["robot", "services"]
 
 WS = "docker-ros/ws"
 X86, ARM = 62, 183
@@ -252,20 +247,17 @@ def test_what_a_command_starts(command: str, starts: str) -> None:
     assert unstarted(command, forgotten) == ([starts] if starts else [])
 
 
-def test_no_image_is_made_whose_command_starts_nothing(
-    repository: Path, services: Services, calls: list[dict[str, Any]], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    put(services, "rosml/ros:jazzy", f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
-    monkeypatch.setitem(APP, "forgotten", {"robot all.launch": "docker-ros/ws/src/target/launch/all.launch"})
-    given = {"base_image": "ros:jazzy", "command": "roslaunch robot all.launch"}
+def test_no_image_is_made_whose_command_starts_nothing(robot: Robot) -> None:
+    robot.app["forgotten"] = {"robot all.launch": "docker-ros/ws/src/target/launch/all.launch"}
+    command = "roslaunch robot all.launch"
     with pytest.raises(RosmlError, match="the command starts what is not installed; no image was made") as caught:
-        app(repository, services, **given).build()
+        robot.build(command=command)
     assert "src/target/launch/all.launch" in caught.value.message and "install(DIRECTORY" in caught.value.remedy
-    assert [call["name"] for call in calls] == ["packages"]
-    built = app(repository, services, **given, tests="false").build()
+    assert robot.names == ["packages"]
+    built = robot.build(command=command, tests="false")
     assert built.images and any("all.launch of robot" in text for _, text in built.summary()), "it is said"
-    assert app(repository, services, **given | {"command": "roslaunch robot other.launch"}).build().images
-    assert app(repository, services, **given, target="dev").build().images
+    assert robot.build(command="roslaunch robot other.launch").images
+    assert robot.build(command=command, target="dev").images
 
 
 def test_scripts_that_nothing_starts_are_named(script: ModuleType, tmp_path: Path) -> None:
@@ -291,33 +283,17 @@ def test_scripts_that_nothing_starts_are_named(script: ModuleType, tmp_path: Pat
     ]
 
 
-@pytest.mark.parametrize(("target", "content"), [("run", APP), ("slim", SLIM)])
-def test_no_image_is_made_that_lacks_what_the_tests_had(
-    target: str,
-    content: dict[str, Any],
-    repository: Path,
-    services: Services,
-    calls: list[dict[str, Any]],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    for name in ("rosml/ros:jazzy", "small:1"):
-        put(services, name, f"linux/{native_architecture()}", ROS_DISTRO="jazzy")
-    monkeypatch.setitem(
-        content, "lost", ["robot/lib/robot/node needs libanswer.so, which is in no image: build/libanswer.so"]
-    )
-    given = {
-        "base_image": "ros:jazzy",
-        "command": "x",
-        "enable_slim": "true",
-        "slim_base_image": f"{services.registry}/small:1",
-    }
-    with pytest.raises(
-        RosmlError, match=f"the {target} image would lack what the tests had; no image was made"
-    ) as caught:
-        app(repository, services, **given).build()
+@pytest.mark.parametrize("target", ["run", "slim"])
+def test_no_image_is_made_that_lacks_what_the_tests_had(target: str, robot: Robot) -> None:
+    robot.put("small:1")
+    content = robot.app if target == "run" else robot.slim_app
+    content["lost"] = ["robot/lib/robot/node needs libanswer.so, which is in no image: build/libanswer.so"]
+    slim = {"enable_slim": "true", "slim_base_image": f"{robot.services.registry}/small:1"}
+    with pytest.raises(RosmlError, match=f"the {target} image would lack what the tests had") as caught:
+        robot.build(**slim)
     assert "needs libanswer.so" in caught.value.message and "exec_depend" in caught.value.remedy
-    assert [call["name"] for call in calls] == ["packages"]
-    built = app(repository, services, **given, tests="false").build()
+    assert robot.names == ["packages"]
+    built = robot.build(**slim, tests="false")
     assert built.images and any("libanswer.so" in text for _, text in built.summary()), "it is said"
 
 

@@ -135,6 +135,7 @@ class Job:
         Reports and `images.json` are in `out`."""
         images: list[Image] = []
         shutil.rmtree(out, ignore_errors=True)
+        out.mkdir(parents=True)
         for platforms in [(name,) for name in self._platforms] if apart else [self._platforms]:
             end = f"-{platforms[0].partition('/')[2].replace('/', '-')}" if apart else ""
             images += self._build(folder, services, out, platforms, end)

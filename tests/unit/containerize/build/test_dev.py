@@ -8,9 +8,9 @@ import os
 import shutil
 import subprocess
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field
+from itertools import pairwise
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import pytest
@@ -18,104 +18,79 @@ from click.testing import CliRunner
 
 import rosml
 from fakes.desks import OURS, Desk
-from fakes.stubs import script_of_a_build
+from fakes.stubs import executable, script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.containerize import containerize, dev
 from rosml.cli.run import container
-from rosml.containerize.build import app as build
-from rosml.containerize.build import bake_file as app_bake_file
-from rosml.containerize.build import dev_folder as desk
+from rosml.containerize.build import app, bake_file, dev_folder
 from rosml.containerize.build.result import ShellImage
-from rosml.containerize.inputs import TABLE, Values
 from rosml.containerize.packages import workspace
 from rosml.containerize.packages.ignored import IgnoredFiles
-from rosml.run.plugins import basic_options
+from rosml.run.plugins import concerns
 
-COMMAND = app_bake_file.SCRIPTS / "containerize/desk_command.sh"
+COMMAND = bake_file.SCRIPTS / "containerize/desk_command.sh"
 
 
-@dataclass
 class Place:
-    """A folder with a package, in which somebody calls `rosml dev`.
+    """A folder with a package, in which somebody calls `rosml dev`."""
 
-    Attributes:
-        folder: the current one.
-        engine: what the engine has.
-        made: how often the builder made the image.
-        loaded: whether the image goes to Docker, or else to a registry.
-        ran: the engine's commands that the calls became.
-        said: standard error of the last call.
-    """
-
-    folder: Path
-    desk: Desk
-    made: int = 0
-    loaded: bool = True
-    ran: list[Sequence[str]] = field(default_factory=list)
-    said: str = ""
+    def __init__(self, tmp_path: Path) -> None:
+        self.folder, self.desk = tmp_path / "my robot", Desk(tmp_path)
+        self.builds = 0
+        self.loaded = True  # the image goes to Docker, or else to a registry
+        self.commands: list[Sequence[str]] = []  # the engine's commands that the calls became
+        self.stderr = ""
 
     @property
     def image(self) -> str:
-        return desk.image_name(self.folder) + (":latest" if self.loaded else "@sha256:1")
+        return dev_folder.image_name(self.folder) + (":latest" if self.loaded else "@sha256:1")
+
+    def new_call(self, folder: Path, values: Any, *_: object) -> None:
+        assert (folder, values.image_name, values.push) == (self.folder, dev_folder.image_name(folder), False)
+
+    def build(self, _: object) -> ShellImage:
+        self.builds += 1
+        self.desk.engine(**{"images" if self.loaded else "registry": {self.image: OURS}})
+        return ShellImage(self.image, self.loaded)
+
+    def become(self, argv: Sequence[str]) -> None:
+        self.commands.append(argv)
+        raise SystemExit(0)
 
     def call(self, *words: str) -> list[str]:
-        """The engine's command that a call becomes.
-
-        Raises:
-            RosmlError: nothing starts.
-        """
-        before = len(self.ran)
-        done = CliRunner().invoke(main.cli, ["dev", *words])
-        self.said = done.stderr
-        if isinstance(done.exception, RosmlError):
-            raise done.exception
-        assert len(self.ran) == before + 1, (done.output, done.exception)
-        return [*self.ran[-1]]
+        """The engine's command that a call becomes."""
+        before = len(self.commands)
+        end = CliRunner().invoke(main.cli, ["dev", *words])
+        self.stderr = end.stderr
+        if isinstance(end.exception, RosmlError):
+            raise end.exception
+        assert len(self.commands) == before + 1, (end.output, end.exception)
+        return [*self.commands[-1]]
 
     def mounts(self, *words: str) -> dict[str, str]:
         """The value of each `--mount`, by its target."""
-        argv = self.call(*words)
-        found = [argv[at + 1] for at, word in enumerate(argv) if word == "--mount"]
-        return {value.partition("target=")[2].partition(",")[0]: value for value in found}
+        values = [value for word, value in pairwise(self.call(*words)) if word == "--mount"]
+        return {value.partition("target=")[2].partition(",")[0]: value for value in values}
 
 
 @pytest.fixture
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
-    made = Place(tmp_path / "my robot", Desk(tmp_path))
-    (made.folder / "src/arm").mkdir(parents=True)
-    (made.folder / "src/arm/package.xml").write_text("<package><name>arm</name></package>")
-    (made.folder / ".env").write_text("BASE_IMAGE=ros:jazzy-base\n")
-    made.desk.engine(images={})
-
-    def new_call(folder: Path, values: Any, *_: object) -> None:
-        assert (folder, values.image_name, values.push) == (made.folder, desk.image_name(folder), False)
-
-    def build_shell_image(_: object) -> ShellImage:
-        made.made += 1
-        there: dict[str, Any] = {"images": {made.image: OURS}} if made.loaded else {"registry": {made.image: OURS}}
-        made.desk.engine(**there)
-        return ShellImage(made.image, made.loaded, None)
-
-    class Builder:
-        def require_builder(self) -> None:
-            """It answers."""
-
-    def become(argv: Sequence[str]) -> None:
-        made.ran.append(argv)
-        raise SystemExit(0)
-
+    place = Place(tmp_path)
+    write("src/arm/package.xml", "<package><name>arm</name></package>")(place.folder)
+    write(".env", "BASE_IMAGE=ros:jazzy-base\n")(place.folder)
+    place.desk.engine(images={})
     for name in [name for name in os.environ if name.startswith(("ROSML_", "XDG_", "DOCKER_"))]:
         monkeypatch.delenv(name)
-    monkeypatch.setenv("PATH", str(made.desk.bin))
+    monkeypatch.setenv("PATH", str(place.desk.bin))
     monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.setattr(rosml, "STATE", tmp_path / "state")
-    monkeypatch.setattr(build, "new_call", new_call)
-    monkeypatch.setattr(build, "build_shell_image", build_shell_image)
-    monkeypatch.setattr(containerize, "services_for_builds", Builder)
-    monkeypatch.setattr(container, "become", become)
-    monkeypatch.chdir(made.folder)
-    return made
+    monkeypatch.setattr(app, "new_call", place.new_call)
+    monkeypatch.setattr(app, "build_shell_image", place.build)
+    monkeypatch.setattr(containerize, "services_for_builds", lambda: SimpleNamespace(require_builder=lambda: None))
+    monkeypatch.setattr(container, "become", place.become)
+    monkeypatch.chdir(place.folder)
+    return place
 
 
 def write(name: str, text: str = "x") -> Callable[[Path], None]:
@@ -138,7 +113,7 @@ def write(name: str, text: str = "x") -> Callable[[Path], None]:
         (write("deps.repos", "repositories: {}\n"), True),
         (write(".env", "BASE_IMAGE=ros:humble-base\n"), True),
         (write("src/arm/arm.cpp"), False),
-        (write(f"{desk.KEPT}/install/arm/package.xml", "<package><name>arm</name></package>"), False),
+        (write(f"{dev_folder.KEPT}/install/arm/package.xml", "<package><name>arm</name></package>"), False),
     ],
 )
 def test_an_image_is_made_again_if_its_inputs_changed(
@@ -146,35 +121,32 @@ def test_an_image_is_made_again_if_its_inputs_changed(
 ) -> None:
     place.call()
     place.call("--", "colcon", "build")
-    assert place.made == 1
+    assert place.builds == 1
     change(place.folder)
     place.call()
-    assert place.made == 1 + again
+    assert place.builds == 1 + again
 
 
-def test_bytecode_of_our_scripts_makes_no_other_image(
+def test_an_image_is_made_again_for_other_scripts_and_not_for_their_bytecode(
     place: Place, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     scripts = tmp_path / "components"
     for part in ("containerize", "build", "ros"):
         write(f"{part}/step.py")(scripts)
-    monkeypatch.setattr(app_bake_file, "SCRIPTS", scripts)
+    monkeypatch.setattr(bake_file, "SCRIPTS", scripts)
+    for name, builds in (("step.py", 1), ("__pycache__/step.cpython-311.pyc", 1), ("step.py", 2)):
+        place.call()
+        write(f"containerize/{name}", f"{name} {builds}")(scripts)
     place.call()
-    write("containerize/__pycache__/step.cpython-311.pyc")(scripts)
-    place.call()
-    assert place.made == 1
-    write("containerize/step.py", "y")(scripts)
-    place.call()
-    assert place.made == 2
+    assert place.builds == 3
 
 
-def test_an_image_is_made_again_if_the_engine_has_another(place: Place) -> None:
+def test_an_image_is_made_again_if_the_engine_or_the_user_has_another(place: Place) -> None:
     place.call()
     place.desk.engine(images={})
-    place.call()
-    assert place.made == 2
-    place.call("--build")
-    assert place.made == 3
+    for words, builds in (([], 2), (["--build"], 3), (["--addons", "graph"], 4), (["--addons", "graph"], 4)):
+        place.call(*words)
+        assert place.builds == builds
 
 
 def test_an_image_of_the_local_registry_is_pulled_by_its_digest(place: Place) -> None:
@@ -198,20 +170,21 @@ def test_the_folder_is_mounted_and_what_is_built_is_kept(place: Place) -> None:
     argv = place.call("--", "colcon", "build", "--packages-select", "a b")
     assert argv[-5:] == [place.image, "colcon", "build", "--packages-select", "a b"]
     assert argv[argv.index("--workdir") + 1] == dev.WORKSPACE
+    assert not [word for word in argv if word.startswith(dev.LABEL)], "a shell in it would end with the command"
     mounts = place.mounts()
-    assert mounts[dev.WORKSPACE] == f"type=bind,source={place.folder}/{desk.KEPT},target={dev.WORKSPACE}"
+    assert mounts[dev.WORKSPACE] == f"type=bind,source={place.folder}/{dev_folder.KEPT},target={dev.WORKSPACE}"
     target = f"{dev.WORKSPACE}/src/target"
     assert mounts[target] == f"type=bind,source={place.folder},target={target}"
-    for point in desk.POINTS:
-        assert (place.folder / desk.KEPT / point).is_dir(), "the engine would make it, for root"
+    for point in dev_folder.POINTS:
+        assert (place.folder / dev_folder.KEPT / point).is_dir(), "the engine would make it, for root"
 
 
 def test_imported_repositories_cannot_be_changed(place: Place, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     place.call()
-    file = desk.record_file(place.folder, tmp_path / "state")
-    record = desk.read_record(file)
+    file = dev_folder.record_file(place.folder, tmp_path / "state")
+    record = dev_folder.read_record(file)
     assert record
-    desk.write_record(file, record.model_copy(update={"upstream": "/imported"}))
+    dev_folder.write_record(file, record.model_copy(update={"upstream": "/imported"}))
     assert place.mounts()[f"{dev.WORKSPACE}/src/upstream"].endswith(",readonly")
 
 
@@ -226,7 +199,7 @@ def test_options_go_to_the_engine(place: Place, monkeypatch: pytest.MonkeyPatch,
 
 def test_the_file_that_init_writes_is_no_obstacle(place: Place) -> None:
     before = place.call()
-    (place.folder / ".rosml.toml").write_text('image = "robot:latest-dev"\noptions = ["--mws"]\n')
+    write(".rosml.toml", 'image = "robot:latest-dev"\noptions = ["--mws"]\n')(place.folder)
     assert place.call() == before, "the folder is mounted anyway"
 
 
@@ -244,36 +217,25 @@ def test_git_and_builds_leave_out_what_is_kept(place: Place, tmp_path: Path) -> 
 # ---- A container that runs -------------------------------------------------------------------------------------------
 
 
-def running(place: Place, key: str) -> None:
-    labels = {basic_options.FOLDER_LABEL: str(place.folder), dev.LABEL: key}
+def run_container(place: Place, key: str) -> None:
+    labels = {concerns.FOLDER: str(place.folder), dev.LABEL: key}
     config = {"Image": place.image, "Env": OURS, "Labels": labels, "Entrypoint": ["/tini", "--", "/entrypoint.sh"]}
     place.desk.engine(images={place.image: OURS}, containers={"r": ["running", "/r", place.image, config]})
-
-
-def test_an_addon_makes_another_image(place: Place) -> None:
-    for number, words in enumerate(([], ["--addons", "graph"], ["--addons", "graph"], ["--addons", "other"])):
-        place.call(*words)
-        assert place.made == (1, 2, 2, 3)[number]
 
 
 def test_a_second_call_enters_the_container_of_the_first(place: Place) -> None:
     argv = place.call()
     key = next(word for word in argv if word.startswith(f"{dev.LABEL}=")).partition("=")[2]
-    running(place, key)
+    run_container(place, key)
     argv = place.call("--", "colcon", "test")
     assert argv[:2] == ["docker", "exec"] and argv[-4:] == ["r", "/entrypoint.sh", "colcon", "test"]
-    assert (place.said, place.made) == ("", 1)
-
-
-def test_a_container_of_a_command_is_entered_by_nobody(place: Place) -> None:
-    """It ends with the command, and a shell in it would end as well."""
-    assert not [word for word in place.call("--", "colcon", "build") if word.startswith(dev.LABEL)]
+    assert (place.stderr, place.builds) == ("", 1)
 
 
 def test_a_container_with_an_older_image_is_entered_with_a_warning(place: Place) -> None:
-    running(place, "older")
+    run_container(place, "older")
     assert place.call()[1] == "exec"
-    assert "r has the dependencies of before" in place.said and "docker stop r" in place.said
+    assert "r has the dependencies of before" in place.stderr and "docker stop r" in place.stderr
     with pytest.raises(RosmlError, match="-p is for a container that starts, and r runs already"):
         place.call("-p", "127.0.0.1:5678:5678")
     assert place.call("--build")[1] == "run"
@@ -288,37 +250,22 @@ def test_a_container_with_an_older_image_is_entered_with_a_warning(place: Place)
         (["colcon", "test"], "a command stands after --: rosml dev -- colcon test"),
         (["htop"], "there is no folder htop"),
         (["src/arm/package.xml"], "there is no folder"),
-        (
-            ["--rosdep-index", "lists of mine"],
-            "--rosdep-index is an option of rosml containerize, not of rosml dev"
-            " set its variable: ROSDEP_INDEX='lists of mine' rosml dev",
-        ),
+        (["--rosdep-index", "lists of mine"], "set its variable: ROSDEP_INDEX='lists of mine' rosml dev"),
         (["--skip-keys=boost"], "set its variable: SKIP_KEYS=boost rosml dev"),
         (["--skip-keys"], "set its variable: SKIP_KEYS=VALUE rosml dev"),
         (["--no-base-entrypoint"], "set its variable: BASE_ENTRYPOINT=false rosml dev"),
         (["--image-tag", "mine"], "leave it out: rosml dev makes one image for this machine, without an app"),
         (["--platform", "linux/arm64"], "--platform: the image is for this machine"),
         (["--dry-run"], "the image of this folder is not made"),
-        (["--base-image", "ros:jazzy-base", ".."], "PLACE"),
+        (["empty"], "there is no package.xml in"),
     ],
 )
-def test_a_wrong_call_is_told_before_anything_is_made(place: Place, words: list[str], says: str) -> None:
-    if says == "PLACE":
-        says = f"there is no package.xml in {place.folder}/empty"
-        (place.folder / "empty").mkdir()
-        words = ["empty"]
+def test_a_wrong_call_is_refused_before_anything_is_made(place: Place, words: list[str], says: str) -> None:
+    (place.folder / "empty").mkdir()
     with pytest.raises(RosmlError) as error:
         place.call(*words)
     assert says in f"{error.value.message} {error.value.remedy}"
-    assert not place.made and not (place.folder / ".rosml").exists()
-
-
-def test_inputs_without_a_use_are_those_that_the_image_has_of_its_own(tmp_path: Path) -> None:
-    flags = {item.name.replace("-", "_") for item in TABLE if item.flag}
-    other: dict[str, Any] = {name: True if name in flags else "x" for name in asdict(Values())}
-    kept = asdict(desk.image_values(Values(**other), tmp_path))
-    own = {name.replace("_", "-") for name, value in kept.items() if value != other[name]}
-    assert {name for name in desk.UNUSED if not name.startswith("slim-")} == own
+    assert not place.builds and not (place.folder / ".rosml").exists()
 
 
 def test_there_is_no_engine(place: Place) -> None:
@@ -329,22 +276,24 @@ def test_there_is_no_engine(place: Place) -> None:
 
 def test_nothing_is_kept_in_a_folder_of_somebody_else(tmp_path: Path) -> None:
     uid = os.geteuid()
-    desk.require_owner(tmp_path, uid)
-    desk.make(tmp_path)
-    desk.require_owner(tmp_path, uid)
+    dev_folder.require_owner(tmp_path, uid)
+    dev_folder.make(tmp_path)
+    dev_folder.require_owner(tmp_path, uid)
     with pytest.raises(RosmlError, match=r"\.rosml belongs to the user") as error:
-        desk.require_owner(tmp_path, uid + 1)
-    assert error.value.remedy == f"remove it: sudo rm -rf '{tmp_path}/{desk.KEPT}'"
+        dev_folder.require_owner(tmp_path, uid + 1)
+    assert error.value.remedy == f"remove it: sudo rm -rf '{tmp_path}/{dev_folder.KEPT}'"
     tmp_path.chmod(0o555)
     if uid:
         with pytest.raises(RosmlError, match="you cannot write there"):
-            desk.require_owner(tmp_path, uid)
+            dev_folder.require_owner(tmp_path, uid)
         with pytest.raises(RosmlError, match="and you are root"):
-            desk.require_owner(tmp_path, 0)
+            dev_folder.require_owner(tmp_path, 0)
     tmp_path.chmod(0o755)
 
 
-@pytest.mark.parametrize("place_of_link", [".rosml", desk.KEPT, f"{desk.KEPT}/src", f"{desk.KEPT}/src/target"])
+@pytest.mark.parametrize(
+    "place_of_link", [".rosml", dev_folder.KEPT, f"{dev_folder.KEPT}/src", f"{dev_folder.KEPT}/src/target"]
+)
 def test_nothing_is_kept_behind_a_link(place: Place, tmp_path: Path, place_of_link: str) -> None:
     """A repository may have one that leads to any folder of the person's."""
     link = place.folder / place_of_link
@@ -352,7 +301,17 @@ def test_nothing_is_kept_behind_a_link(place: Place, tmp_path: Path, place_of_li
     link.symlink_to(tmp_path)
     with pytest.raises(RosmlError, match="is no folder"):
         place.call()
-    assert not place.made
+    assert not place.builds
+
+
+@pytest.mark.parametrize("name", ["COLCON_IGNORE", "CATKIN_IGNORE", ".gitignore"])
+def test_no_file_is_made_behind_a_link_of_a_stranger(tmp_path: Path, name: str) -> None:
+    folder = tmp_path / "robot"
+    (folder / dev_folder.KEPT).mkdir(parents=True)
+    (folder / dev_folder.KEPT / name).symlink_to(tmp_path / "outside")
+    with pytest.raises(RosmlError, match=f"{name} is a link"):
+        dev_folder.make(folder)
+    assert not (tmp_path / "outside").exists()
 
 
 # ---- In the container ------------------------------------------------------------------------------------------------
@@ -374,41 +333,32 @@ def test_commands_of_compilers_are_joined(joiner: ModuleType, tmp_path: Path) ->
     joiner.main(tmp_path, "")
     file = tmp_path / "compile_commands.json"
     assert json.loads(file.read_text()) == [entry("all")]
-    for name in ("leg", "arm"):
-        write(f"build/{name}/compile_commands.json", json.dumps([entry(name)]))(tmp_path)
-    write("build/half/compile_commands.json", "[{")(tmp_path)
     odd = [1, {"directory": 1, "file": "a", "command": "c++"}, {"directory": "/", "file": "a", "command": "c++ 'a"}]
-    write("build/odd/compile_commands.json", json.dumps(odd))(tmp_path)
+    texts = {name: json.dumps([entry(name)]) for name in ("leg", "arm")} | {"half": "[{", "odd": json.dumps(odd)}
+    for name, text in texts.items():
+        write(f"build/{name}/compile_commands.json", text)(tmp_path)
     joiner.main(tmp_path, "")
     assert json.loads(file.read_text()) == [entry("arm"), entry("leg")]
     assert not (tmp_path / "host").exists()
 
 
 def test_commands_have_paths_of_the_machine_as_well(joiner: ModuleType) -> None:
-    places = {"/docker-ros/ws/src/target": "/home/jo/my robot", "/docker-ros/ws": "/home/jo/my robot/.rosml/dev"}
-    assert joiner.moved(entry("arm", "-I/docker-ros/ws/install/arm -DA='\"b c\"'"), places) == {
-        "directory": "/home/jo/my robot/.rosml/dev/build/arm",
-        "file": "/home/jo/my robot/src/arm.cpp",
-        "arguments": [
-            "c++",
-            "-I/home/jo/my robot/.rosml/dev/install/arm",
-            '-DA="b c"',
-            "-c",
-            "/home/jo/my robot/src/arm.cpp",
-        ],
+    home, workspace = "/home/jo/my robot", "/docker-ros/ws"
+    places = {f"{workspace}/src/target": home, workspace: f"{home}/.rosml/dev"}
+    file = f"{home}/src/arm.cpp"
+    assert joiner.moved(entry("arm", f"-I{workspace}/install/arm -DA='\"b c\"'"), places) == {
+        "directory": f"{home}/.rosml/dev/build/arm",
+        "file": file,
+        "arguments": ["c++", f"-I{home}/.rosml/dev/install/arm", '-DA="b c"', "-c", file],
     }
 
 
-COLCON = """\
-#!/bin/sh
-printf '%s\\n' "$*" >>"{folder}/calls"
-case $* in "${{FAILS-nothing}}"*) exit 3 ;; esac
-"""
+Colcon = Callable[..., tuple[int, list[str]]]
 
 
 @pytest.fixture
-def colcon(tmp_path: Path) -> Callable[..., tuple[int, list[str]]]:
-    """Calls colcon as in the container; gives its exit code, and how the real one was called."""
+def colcon(tmp_path: Path) -> Colcon:
+    """Calls colcon as in the container. Returns its exit code, and the calls of the real one."""
     shim, real = tmp_path / "desk", tmp_path / "bin"
     for folder in (shim, real, tmp_path / "ws/src/target"):
         folder.mkdir(parents=True)
@@ -416,49 +366,31 @@ def colcon(tmp_path: Path) -> Callable[..., tuple[int, list[str]]]:
     shutil.copy(COMMAND.with_name("compile_commands.py"), shim)
     (shim / "colcon").symlink_to("command.sh")
     (shim / "colcon_args").write_text("--executor sequential 'a b'\n")
-    (real / "colcon").write_text(COLCON.format(folder=tmp_path))
-    (real / "colcon").chmod(0o755)
+    fails = 'case $* in "${FAILS-nothing}"*) exit 3 ;; esac'
+    executable(real / "colcon", f"printf '%s\\n' \"$*\" >>'{tmp_path}/calls'\n{fails}")
 
     def call(*words: str, **variables: str) -> tuple[int, list[str]]:
         (tmp_path / "calls").write_text("")
-        env = {
-            "PATH": f"{shim}:{real}:/usr/bin:/bin",
-            "WORKSPACE": str(tmp_path / "ws"),
-            "ROS_VERSION": "1",
-            **variables,
-        }
-        done = subprocess.run([shim / "colcon", *words], env=env, check=False)
-        calls = (tmp_path / "calls").read_text().replace(str(tmp_path / "ws"), "WS")
-        return done.returncode, calls.splitlines()
+        env = {"PATH": f"{shim}:{real}:/usr/bin:/bin", "WORKSPACE": str(tmp_path / "ws"), "ROS_VERSION": "1"}
+        end = subprocess.run([shim / "colcon", *words], env=env | variables, check=False)
+        return end.returncode, (tmp_path / "calls").read_text().replace(str(tmp_path / "ws"), "WS").splitlines()
 
     return call
 
 
-def test_colcon_builds_and_tests_as_in_ci(colcon: Callable[..., tuple[int, list[str]]], tmp_path: Path) -> None:
+def test_colcon_builds_and_tests_as_in_ci(colcon: Colcon, tmp_path: Path) -> None:
     assert colcon("list") == (0, ["list"])
     assert colcon("build", "--packages-select", "arm") == (0, ["build --executor sequential a b --packages-select arm"])
     tests = "--cmake-args --cmake-target tests --cmake-target-skip-unavailable"
     words = ["test", "--packages-select", "arm", "leg", "--event-handlers", "x+", "--packages-skip", "b"]
-    assert colcon(*words) == (
-        0,
-        [f"build --base-paths WS/src/target --packages-select arm leg --packages-skip b {tests}", " ".join(words)],
-    )
+    build = f"build --base-paths WS/src/target --packages-select arm leg --packages-skip b {tests}"
+    assert colcon(*words) == (0, [build, " ".join(words)])
     assert colcon("test", ROS_VERSION="2") == (0, ["test"])
     (tmp_path / "ws/src/target/colcon.meta").touch()
     assert colcon("test", ROS_VERSION="2") == (0, ["test --metas WS/src/target/colcon.meta"])
 
 
-def test_its_exit_code_is_colcons(colcon: Callable[..., tuple[int, list[str]]]) -> None:
+def test_its_exit_code_is_colcons(colcon: Colcon) -> None:
     assert colcon("test", FAILS="test")[0] == 3
     code, calls = colcon("test", FAILS="build")
     assert (code, len(calls)) == (3, 1), "tests that do not build do not run"
-
-
-@pytest.mark.parametrize("name", ["COLCON_IGNORE", "CATKIN_IGNORE", ".gitignore"])
-def test_no_file_is_made_behind_a_link_of_a_stranger(tmp_path: Path, name: str) -> None:
-    folder = tmp_path / "robot"
-    (folder / desk.KEPT).mkdir(parents=True)
-    (folder / desk.KEPT / name).symlink_to(tmp_path / "outside")
-    with pytest.raises(RosmlError, match=f"{name} is a link"):
-        desk.make(folder)
-    assert not (tmp_path / "outside").exists()

@@ -24,6 +24,106 @@ from rosml.containerize.lock import Packages
 from rosml.registry import oci
 from rosml.registry.client import Registry
 
+FOLDERS = ("manifests", "requests", "additional", "upstream", "target", "downstream")
+SCRIPTS = ("containerize", "build", "ros")
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr(bake_file, "SCRIPTS", tmp_path)
+    for name in (*FOLDERS, *SCRIPTS, "target/src"):
+        (tmp_path / name).mkdir(parents=True, exist_ok=True)
+        (tmp_path / name / "file").write_text(name)
+    return tmp_path
+
+
+def keys_of(folder: Path, base: str = "sha256:1", slim: str = "", hooked: bool = False, **values: Any) -> Keys:
+    inputs = Inputs(
+        targets=("run",),
+        base=Base("base", base, {}),
+        slim=Base("slim", slim, {}) if slim else None,
+        distribution="jazzy",
+        conditions="jazzy",
+        values=Values(**values),
+        contexts={name: folder / name for name in FOLDERS},
+        empty=folder,
+        hooked=hooked,
+        commit="",
+        time=0,
+    )
+    return keys(inputs, ("linux/amd64",))
+
+
+ALL = ["environment", "upstream", "app"]
+
+
+def changed(one: Keys, other: Keys) -> list[str]:
+    return [name for name in ALL if getattr(one, name) != getattr(other, name)]
+
+
+def write(path: str) -> Callable[[Path], object]:
+    return lambda folder: (folder / path).write_text("other")
+
+
+def git_folder(folder: Path) -> None:
+    (folder / "target/.git").mkdir()
+    (folder / "target/.git/HEAD").touch()
+
+
+@pytest.mark.parametrize(
+    ("change", "stages"),
+    [
+        (write("target/src/file"), ["app"]),
+        (write("target/new"), ["app"]),
+        (lambda folder: (folder / "target/src/file").chmod(0o755), ["app"]),
+        (lambda folder: (folder / "target/link").symlink_to("src"), ["app"]),
+        (lambda folder: (folder / "target/src/file").rename(folder / "target/src/other"), ["app"]),
+        (lambda folder: (folder / "target/src/file").chmod(0o600), ["app"]),
+        (lambda folder: (folder / "target/src").chmod(0o700), ["app"]),
+        (lambda folder: (folder / "target/empty").mkdir(), ["app"]),
+        (write("upstream/file"), ["upstream", "app"]),
+        (write("downstream/file"), ["app"]),
+        (write("manifests/file"), ALL),
+        (write("manifests/.env"), ALL),
+        (write("ros/file"), ALL),
+        (write("target/.env"), []),
+        (git_folder, []),
+        (lambda folder: os.utime(folder / "target/src/file", (1, 1)), []),
+    ],
+)
+def test_a_stage_is_made_again_for_what_decides_its_content(
+    change: Callable[[Path], object], stages: list[str], folder: Path
+) -> None:
+    before = keys_of(folder)
+    change(folder)
+    assert changed(before, keys_of(folder)) == stages
+
+
+@pytest.mark.parametrize(
+    ("values", "stages"),
+    [
+        ({"base": "sha256:2"}, ALL),
+        ({"slim": "sha256:2"}, ALL),
+        ({"skip_keys": "boost"}, ALL),
+        ({"cmake_args": "-DX=1"}, ["upstream", "app"]),
+        ({"tests": False}, ["app"]),
+    ],
+)
+def test_values_decide_as_well(values: dict[str, Any], stages: list[str], folder: Path) -> None:
+    assert changed(keys_of(folder), keys_of(folder, **values)) == stages
+
+
+def test_a_slim_image_has_stages_of_its_own(folder: Path) -> None:
+    stages, with_slim = keys_of(folder).stages, keys_of(folder, slim="sha256:3").stages
+    assert {*with_slim} - {*stages} == {"slim-runtime", "slim-app"}
+
+
+def test_sources_that_a_script_changes_decide_which_packages_are_needed(folder: Path) -> None:
+    before = keys_of(folder, hooked=True)
+    write("target/src/file")(folder)
+    assert changed(before, keys_of(folder, hooked=True)) == ALL
+
+
 KEYS = Keys("e", "u", "a", False)
 
 OUTCOME = Outcome(
@@ -37,99 +137,8 @@ REPORT = Report(form=form(), outcome=OUTCOME, tests=[3, 1])
 
 def altered(outcome: dict[str, Any] | None = None, **others: Any) -> bytes:
     """A report with other values."""
-    said = REPORT.model_dump()
-    return oci.encoded(said | {"outcome": said["outcome"] | (outcome or {})} | others)
-
-
-@pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setattr(bake_file, "SCRIPTS", tmp_path)
-    for name in (
-        "manifests",
-        "requests",
-        "additional",
-        "upstream",
-        "downstream",
-        "target/src",
-        "ros",
-        "build",
-        "containerize",
-    ):
-        (tmp_path / name).mkdir(parents=True)
-        (tmp_path / name / "file").write_text(name)
-    return tmp_path
-
-
-def made(folder: Path, base: str = "sha256:1", slim: str = "", hooked: bool = False, **values: Any) -> Keys:
-    contexts = {
-        name: folder / name for name in ("manifests", "requests", "additional", "upstream", "target", "downstream")
-    }
-    slim_base = Base("slim", slim, {}) if slim else None
-    inputs = Inputs(
-        ("run",), Base("base", base, {}), slim_base, "jazzy", "jazzy", Values(**values), contexts, folder, hooked, "", 0
-    )
-    return keys(inputs, ("linux/amd64",))
-
-
-def differ(one: Keys, other: Keys) -> list[str]:
-    return [name for name in ("environment", "upstream", "app") if getattr(one, name) != getattr(other, name)]
-
-
-def write(path: str) -> Callable[[Path], object]:
-    return lambda folder: (folder / path).write_text("other")
-
-
-@pytest.mark.parametrize(
-    ("change", "stages"),
-    [
-        (write("target/src/file"), ["app"]),
-        (write("target/new"), ["app"]),
-        (lambda folder: (folder / "target/src/file").chmod(0o755), ["app"]),
-        (lambda folder: (folder / "target/link").symlink_to("src"), ["app"]),
-        (lambda folder: (folder / "target/src/file").rename(folder / "target/src/other"), ["app"]),
-        (write("upstream/file"), ["upstream", "app"]),
-        (write("downstream/file"), ["app"]),
-        (write("manifests/file"), ["environment", "upstream", "app"]),
-        (lambda folder: (folder / "target/src/file").chmod(0o600), ["app"]),
-        (lambda folder: (folder / "target/src").chmod(0o700), ["app"]),
-        (lambda folder: (folder / "target/empty").mkdir(), ["app"]),
-        (write("target/.env"), []),
-        (write("manifests/.env"), ["environment", "upstream", "app"]),
-        (lambda folder: os.utime(folder / "target/src/file", (1, 1)), []),
-    ],
-)
-def test_a_stage_is_made_again_for_what_decides_its_content(
-    change: Callable[[Path], object], stages: list[str], folder: Path
-) -> None:
-    before = made(folder)
-    change(folder)
-    assert differ(before, made(folder)) == stages
-
-
-def test_values_decide_as_well(folder: Path) -> None:
-    before = made(folder)
-    assert differ(before, made(folder, base="sha256:2")) == ["environment", "upstream", "app"]
-    assert differ(before, made(folder, cmake_args="-DX=1")) == ["upstream", "app"]
-    assert differ(before, made(folder, tests=False)) == ["app"]
-
-
-def test_a_slim_image_has_stages_of_its_own(folder: Path) -> None:
-    before, after = made(folder), made(folder, slim="sha256:3")
-    assert {*after.stages} - {*before.stages} == {"slim-runtime", "slim-app"}
-    assert differ(after, made(folder, slim="sha256:4")) == ["environment", "upstream", "app"]
-
-
-def test_sources_that_a_script_changes_decide_which_packages_are_needed(folder: Path) -> None:
-    before = made(folder, hooked=True)
-    write("target/src/file")(folder)
-    assert differ(before, made(folder, hooked=True)) == ["environment", "upstream", "app"]
-
-
-def test_gits_folder_of_sources_does_not_count(folder: Path) -> None:
-    before = made(folder)
-    (folder / "target/.git").mkdir()
-    write("target/.git/HEAD")(folder)
-    assert made(folder) == before
+    report = REPORT.model_dump()
+    return oci.encoded(report | {"outcome": report["outcome"] | (outcome or {})} | others)
 
 
 def test_a_report_is_found_again(stand_in: StandIn) -> None:
