@@ -18,7 +18,7 @@ from fakes.http_registry import Fault, StandIn
 from fakes.stubs import script_of_a_build
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
-from rosml.containerize.build import attachments as contents
+from rosml.containerize.build import attachments
 from rosml.containerize.packages import workspace
 from rosml.containerize.sources.fetch import Repository
 from rosml.images.join import facts, file_lists
@@ -32,17 +32,14 @@ SITE = "usr/local/lib/python3.11/dist-packages"
 LIBC = "Package: libc6\nSource: glibc (2.36-9)\nArchitecture: amd64\nVersion: 2.36-9+b1\n"
 TREE = "Package: tree\nArchitecture: all\nVersion: 1:2.1\n"
 WHEELS = [{"name": "Some_Thing", "version": "1.0+cpu"}]
-PACKAGES = {
+PACKAGES: dict[str, Any] = {
     "system": {"name": "debian", "version": "12"},
     "apt": [
-        {
-            "name": "libc6",
-            "version": "2.36-9+b1",
-            "architecture": "amd64",
-            "source": "glibc",
-            "source_version": "2.36-9",
-        },
-        {"name": "tree", "version": "1:2.1", "architecture": "all", "source": "tree", "source_version": "1:2.1"},
+        {"name": name, "version": version, "architecture": architecture, "source": source, "source_version": of}
+        for name, version, architecture, source, of in (
+            ("libc6", "2.36-9+b1", "amd64", "glibc", "2.36-9"),
+            ("tree", "1:2.1", "all", "tree", "1:2.1"),
+        )
     ],
     "python": WHEELS,
     "ros": [
@@ -136,21 +133,15 @@ def test_an_image_that_is_looked_into(tmp_path: Path) -> None:
     )
     (tmp_path / "out").mkdir()
     subprocess.run([sys.executable, CONTENTS, tmp_path / "root", tmp_path / "out"], check=True)
-    found = json.loads((tmp_path / "out/packages.json").read_text())
-    assert ([it["name"] for it in found["apt"]], found["python"]) == (["libc6"], WHEELS)
+    packages = json.loads((tmp_path / "out/packages.json").read_text())
+    assert ([it["name"] for it in packages["apt"]], packages["python"]) == (["libc6"], WHEELS)
     listed = gzip.decompress((tmp_path / "out/files.gz").read_bytes()).decode().splitlines()
     assert "usr/empty" in listed and len(listed) == 7
     assert [name[-6:] for name in listed if "constraints.d" in name] == ["01.txt"], "an empty slot is nobody's"
 
 
-def made(packages: object = PACKAGES) -> dict[str, Any]:
-    sources = {"filters": Repository("filters", "https://example.org/filters", "noetic", "c0ffee", ".repos", True)}
-    found: dict[str, Any] = json.loads(contents.sbom(json.dumps(packages).encode(), "example.org/robot@x", sources))
-    return found
-
-
 def test_what_dpkg_says_in_other_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Bytes that are no UTF-8 are replaced. What lacks an architecture, or names a place in the place of a package, is none."""
+    """Bytes that are no UTF-8 are replaced. What lacks an architecture, or has a place for its name, is no package."""
     monkeypatch.syspath_prepend(str(ROOT / "components/containerize"))  # where scripts find each other
     files = script_of_a_build("containerize/app_files.py")
     installed = "Status: install ok installed\n"
@@ -171,28 +162,37 @@ def test_names_that_are_no_unicode_are_json_for_all_readers(script: ModuleType) 
     assert untrusted.json_of(text, "it") == {"changed": ["etc/M?ller", "etc/é"]}
 
 
-def test_an_sbom() -> None:
-    document = made()
+# ---- The SBOM --------------------------------------------------------------------------------------------------------
+
+
+def components(url: str = "https://example.org/filters", **packages: object) -> dict[str, dict[str, Any]]:
+    """The components of the SBOM of an image with other packages, by name."""
+    sources = {"filters": Repository("filters", url, "noetic", "c0ffee", ".repos", True)}
+    data = json.dumps(PACKAGES | packages).encode()
+    document = json.loads(attachments.sbom(data, "example.org/robot@x", sources))
     assert document["metadata"]["component"]["name"] == "example.org/robot@x"
-    by_name = {item["name"]: item for item in document["components"]}
-    assert by_name["debian"]["type"] == "operating-system"
-    assert [by_name[name]["purl"] for name in ("libc6", "tree", "Some_Thing", "filters")] == [
+    return {item["name"]: item for item in document["components"]}
+
+
+def test_an_sbom() -> None:
+    items = components()
+    assert items["debian"]["type"] == "operating-system"
+    assert [items[name]["purl"] for name in ("libc6", "tree", "Some_Thing", "filters")] == [
         "pkg:deb/debian/libc6@2.36-9%2Bb1?arch=amd64&distro=debian-12",
         "pkg:deb/debian/tree@1:2.1?arch=all&distro=debian-12",
         "pkg:pypi/some-thing@1.0%2Bcpu",
         "pkg:generic/ros/filters@1.9.1",
     ]
-    assert {item["name"]: item["value"] for item in by_name["libc6"]["properties"]} == {
+    assert {item["name"]: item["value"] for item in items["libc6"]["properties"]} == {
         "aquasecurity:trivy:PkgType": "debian",
         "aquasecurity:trivy:SrcName": "glibc",
         "aquasecurity:trivy:SrcVersion": "2.36-9",
     }
-    assert by_name["filters"]["licenses"] == [{"license": {"name": "BSD"}}, {"license": {"name": "MIT"}}]
-    assert by_name["filters"]["externalReferences"] == [
-        {"type": "vcs", "url": "https://example.org/filters", "comment": "noetic"}
-    ]
-    assert by_name["filters"]["properties"] == [{"name": "io.rosml.commit", "value": "c0ffee"}]
-    assert "externalReferences" not in by_name["robot"]
+    filters = items["filters"]
+    assert filters["licenses"] == [{"license": {"name": "BSD"}}, {"license": {"name": "MIT"}}]
+    assert filters["externalReferences"] == [{"type": "vcs", "url": "https://example.org/filters", "comment": "noetic"}]
+    assert filters["properties"] == [{"name": "io.rosml.commit", "value": "c0ffee"}]
+    assert "externalReferences" not in items["robot"]
 
 
 @pytest.mark.parametrize(
@@ -205,46 +205,35 @@ def test_an_sbom() -> None:
         ("/home/me/a:x", None),
     ],
 )
-def test_where_a_ros_package_is_from(url: str, written: str | None) -> None:
+def test_the_place_of_a_ros_package(url: str, written: str | None) -> None:
     """As a URL, which CycloneDX wants; a folder of this machine is nobody's business."""
-    sources = {"filters": Repository("filters", url, "", "c0ffee", ".repos", True)}
-    document = json.loads(contents.sbom(json.dumps(PACKAGES).encode(), "example.org/robot@x", sources))
-    [found] = [item for item in document["components"] if item["name"] == "filters"]
-    assert [item["url"] for item in found.get("externalReferences", [])] == ([written] if written else [])
+    references = components(url)["filters"].get("externalReferences", [])
+    assert [item["url"] for item in references] == ([written] if written else [])
 
 
-def test_what_nobody_knows_is_left_out() -> None:
-    document = made(
-        {
-            "system": {"name": "debian", "version": ""},
-            "apt": [],
-            "python": [],
-            "ros": [{"name": "a", "version": "", "licenses": []}],
-        }
-    )
-    assert [item["bom-ref"] for item in document["components"]] == ["debian", "pkg:generic/ros/a"]
-
-
-def test_names_of_python_that_are_the_same_count_once() -> None:
+def test_what_nobody_knows_is_left_out_and_the_same_name_counts_once() -> None:
     wheels = [{"name": name, "version": "1"} for name in ("some_thing", "Some-Thing")]
-    assert len(made(PACKAGES | {"python": wheels, "apt": [], "ros": []})["components"]) == 2
+    ros = [{"name": "a", "version": "", "licenses": []}]
+    items = components(system={"name": "debian", "version": ""}, apt=[], python=wheels, ros=ros)
+    assert [item["bom-ref"] for item in items.values()] == ["debian", "pkg:pypi/some-thing@1", "pkg:generic/ros/a"]
 
 
 def test_the_scan_reads_it() -> None:
-    reference = f"example.org/robot@sha256:{'1' * 64}"
-    found = Sbom(contents.sbom(json.dumps(PACKAGES).encode(), reference, {}))
-    assert found.system == "debian 12" and found.is_of(f"sha256:{'1' * 64}")
-    assert len(found.packages) == 5
+    digest = f"sha256:{'1' * 64}"
+    sbom = Sbom(attachments.sbom(json.dumps(PACKAGES).encode(), f"example.org/robot@{digest}", {}))
+    assert sbom.system == "debian 12" and sbom.is_of(digest) and len(sbom.packages) == 5
 
 
 @pytest.mark.parametrize("data", [b"", b"[]", b'{"apt": []}'])
 def test_a_damaged_list_of_packages(data: bytes) -> None:
     with pytest.raises(RosmlError, match="is damaged"):
-        contents.sbom(data, "example.org/robot@x", {})
+        attachments.sbom(data, "example.org/robot@x", {})
 
+
+# ---- In a registry ---------------------------------------------------------------------------------------------------
 
 FACTS = gzip.compress(b'{"packages":[],"libraries":[],"files":["etc/motd"]}')
-DATA = dict(zip(contents.KINDS, (json.dumps(PACKAGES).encode(), gzip.compress(b"etc/motd\n"), FACTS), strict=True))
+DATA = dict(zip(attachments.KINDS, (json.dumps(PACKAGES).encode(), gzip.compress(b"etc/motd\n"), FACTS), strict=True))
 
 
 def image(client: Registry, architecture: str) -> dict[str, Any]:
@@ -256,66 +245,56 @@ def image(client: Registry, architecture: str) -> dict[str, Any]:
     return entry | {"platform": {"os": "linux", "architecture": architecture}}
 
 
-def index(client: Registry) -> str:
-    entries = [image(client, architecture) for architecture in ("amd64", "arm64")]
-    content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
-    return client.put_manifest(ROBOT, "latest", content, oci.INDEX)
+def load(platform: str, kind: str) -> bytes:
+    return DATA[kind].replace(b"amd64", platform.rpartition("/")[2].encode())
 
 
 @pytest.mark.parametrize("referrers", [True, False])
-def test_what_is_attached(referrers: bool, stand_in: StandIn) -> None:
-    """To each platform its own, once; a second call sends nothing."""
+def test_each_platform_gets_its_contents_once(referrers: bool, stand_in: StandIn) -> None:
     stand_in.referrers = referrers
-    asked: list[tuple[str, str]] = []
-
-    def load(platform: str, kind: str) -> bytes:
-        asked.append((platform, kind))
-        return DATA[kind].replace(b"amd64", platform.rpartition("/")[2].encode())
-
     with Registry(stand_in.address) as client:
-        digest = index(client)
-        contents.attach(client, ROBOT, digest, load, {})
-        assert sorted(asked) == sorted((f"linux/{one}", kind) for one in ("amd64", "arm64") for kind in contents.KINDS)
-        found = client.manifest(ROBOT, digest)
-        assert found
-        for entry in found.content["manifests"]:
+        entries = [image(client, architecture) for architecture in ("amd64", "arm64")]
+        content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
+        digest = client.put_manifest(ROBOT, "latest", content, oci.INDEX)
+        attachments.attach(client, ROBOT, digest, load, {})
+        for entry in entries:
             [artifact] = client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)
             manifest = client.manifest(ROBOT, artifact["digest"])
             assert manifest and manifest.content["subject"]["digest"] == entry["digest"]
             sbom = Sbom(client.blob(ROBOT, manifest.content["layers"][0]["digest"]))
             assert sbom.is_of(entry["digest"])
             assert f"arch={entry['platform']['architecture']}&" in sbom.content.decode()
-            files = file_lists.Lists().of(client, ROBOT, entry["digest"])
-            assert files and files.entries == {b"etc/motd".decode()}
-            known = facts.of(client, ROBOT, entry["digest"])
-            assert known and known.files == ["etc/motd"]
+            files, app_facts = (
+                file_lists.Lists().of(client, ROBOT, entry["digest"]),
+                facts.of(client, ROBOT, entry["digest"]),
+            )
+            assert files and files.entries == {"etc/motd"} and app_facts and app_facts.files == ["etc/motd"]
         stand_in.requests.clear()
-        contents.attach(client, ROBOT, digest, load, {})
+        attachments.attach(client, ROBOT, digest, load, {})
         assert not [line for line in stand_in.requests if line.split()[0] not in ("GET", "HEAD")]
 
 
 def test_an_app_that_is_no_layer_on_its_base_has_no_facts(stand_in: StandIn) -> None:
     with Registry(stand_in.address) as client:
         digest = image(client, "amd64")["digest"]
-        contents.attach(client, ROBOT, digest, lambda platform, kind: DATA[kind], {}, linked=False)
-        assert facts.of(client, ROBOT, digest) is None
-        assert file_lists.Lists().of(client, ROBOT, digest)
+        attachments.attach(client, ROBOT, digest, load, {}, linked=False)
+        assert facts.of(client, ROBOT, digest) is None and file_lists.Lists().of(client, ROBOT, digest)
 
 
 def test_an_sbom_of_others_is_none_of_ours(stand_in: StandIn) -> None:
     with Registry(stand_in.address) as client:
         entry = image(client, "amd64")
         client.attach(ROBOT, entry, MEDIA_TYPE, b"{}", MEDIA_TYPE)
-        contents.attach(client, ROBOT, entry["digest"], lambda platform, kind: DATA[kind], {})
+        attachments.attach(client, ROBOT, entry["digest"], load, {})
         assert len(client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)) == 2
 
 
-def test_a_registry_that_takes_no_such_thing(stand_in: StandIn) -> None:
+def test_a_registry_that_takes_no_attachment(stand_in: StandIn) -> None:
     with Registry(stand_in.address) as client:
         digest = image(client, "amd64")["digest"]
         stand_in.faults.append(Fault("PUT", "manifests", 400, body=b"{}"))
         with pytest.raises(RosmlError):
-            contents.attach(client, ROBOT, digest, lambda platform, kind: DATA[kind], {})
+            attachments.attach(client, ROBOT, digest, load, {})
 
 
 def test_the_names_of_packages(tmp_path: Path) -> None:
