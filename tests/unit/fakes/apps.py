@@ -90,12 +90,16 @@ class Robot:
         inputs = {"base_image": "ros:jazzy", "command": "true", **inputs}
         return app_inputs.values({name.replace("_", "-"): value for name, value in inputs.items()}, self.folder, {})
 
-    def call(self, environment: Mapping[str, str] | None = None, renew: bool = False, **inputs: str) -> app.Call:
+    def call(self, environment: Mapping[str, str] | None = None, renew: bool = False, /, **inputs: str) -> app.Call:
         values = self.values(**inputs)
         return app.new_call(self.folder, values, environment or {}, self.services, self.messages.append, renew)
 
-    def build(self, environment: Mapping[str, str] | None = None, renew: bool = False, **inputs: str) -> Result:
-        return app.build_images(self.call(environment, renew, **inputs))
+    def build(self, environment: Mapping[str, str] | None = None, /, **inputs: str) -> Result:
+        return app.build_images(self.call(environment, **inputs))
+
+    def renew(self, **inputs: str) -> Result:
+        """Builds with `--lock`."""
+        return app.build_images(self.call(None, True, **inputs))
 
     @property
     def names(self) -> list[str]:
@@ -107,8 +111,7 @@ class Robot:
         content: dict[str, Any] = json.loads(file.read_text())
         return content
 
-    def said(self, word: str) -> list[str]:
-        """The messages with a word."""
+    def messages_with(self, word: str) -> list[str]:
         return [line for line in self.messages if word in line]
 
     def run(self, services: Services, bake: buildx.Bake) -> tuple[None, dict[str, str]]:

@@ -51,7 +51,8 @@ class Place:
 
     def build(self, _: object) -> ShellImage:
         self.builds += 1
-        self.desk.engine(**{"images" if self.loaded else "registry": {self.image: OURS}})
+        image = {self.image: OURS}
+        self.desk.engine(images=image if self.loaded else {}, registry={} if self.loaded else image)
         return ShellImage(self.image, self.loaded)
 
     def become(self, argv: Sequence[str]) -> None:

@@ -115,6 +115,7 @@ UPLOAD = '[ ! -d "$PATHS" ] || cp -a "$PATHS" "$ARTIFACTS/$NAME"'
 DOWNLOAD = 'mkdir -p "$PATHS" && for place in "$ARTIFACTS"/$PATTERN; do cp -a "$place" "$PATHS/"; done'
 
 IMAGES = "tools/images.txt"
+OURS = ("containerize", "src", "scripts", ".github")
 OWN = "rosml/rosml"
 COMMIT = "f" * 40
 
@@ -178,7 +179,7 @@ class Run:
         environment["PATH"] = f"{self.folder / 'programs'}{os.pathsep}{os.environ['PATH']}"
         options: dict[str, Any] = {"cwd": self.folder / "repository", "env": environment, "stdin": subprocess.DEVNULL}
         end = subprocess.run(argv, **options, capture_output=True, text=True, check=False)
-        return end.stdout + end.stderr
+        return f"{end.stdout}{end.stderr}"
 
     def environment(self, call: str) -> dict[str, str]:
         """Variables of a call of rosml."""
@@ -321,7 +322,7 @@ def test_every_image_that_is_started_has_a_digest() -> None:
     assert all(re.fullmatch(r"[a-z/]+:[\w.-]+@sha256:[0-9a-f]{64}", line) for line in lines)
     names = "|".join(sorted({re.escape(line.partition(":")[0]) for line in lines}))
     paths = [ROOT / "Makefile", ROOT / "Dockerfile"]
-    for folder in ["containerize", "src", "scripts", "components", "tools", ".github", "docs", "examples", "devcontainer"]:
+    for folder in (*OURS, "components", "tools", "docs", "examples", "devcontainer"):
         paths += [file for file in (ROOT / folder).rglob("*") if file.suffix in {".py", ".sh", ".yml", ".md", ".txt"}]
     pattern = re.compile(rf"(?<![\w./-])(?:{names}):[\w.-]*[\d][^\s\"'`]*")
     assert {image for path in paths for image in pattern.findall(path.read_text(errors="replace"))} == set(lines)

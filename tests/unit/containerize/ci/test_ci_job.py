@@ -170,14 +170,16 @@ class Machine:
             manifest = {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": config, "layers": []}
             return client.put_manifest(place.repository, place.reference, oci.encoded(manifest))
 
-    def job(self, *, commit: ci_job.Commit = MAIN, **inputs: str) -> ci_job.Job:
+    def job(self, commit: ci_job.Commit = MAIN, /, **inputs: str) -> ci_job.Job:
         inputs = {"image_name": f"{self.services.registry}/Me/Robot", "target": "run", "push": "true", **inputs}
         values = app_inputs.values({name.replace("_", "-"): text for name, text in inputs.items()}, self.out, {})
         return ci_job.Job(values, {}, commit, lambda line: None)
 
-    def build(self, apart: bool = True, **options: Any) -> tuple[list[ci_job.Image], Path]:
+    def build(
+        self, apart: bool = True, commit: ci_job.Commit = MAIN, /, **inputs: str
+    ) -> tuple[list[ci_job.Image], Path]:
         """Runs a job. Returns its images, and the folder that the job for the index gets as an artifact."""
-        job = self.job(**options)
+        job = self.job(commit, **inputs)
         return job.build(self.out, self.services, self.out / job.name, apart), self.out / job.name
 
     def index(self, **inputs: str) -> list[ci_job.Image]:
@@ -207,7 +209,7 @@ PLATFORMS = ("amd64", "arm64")
 
 def test_all_tags_of_a_commit_are_one_image(machine: Machine) -> None:
     commit = ci_job.Commit("v1", "v1", False, Path())
-    images, _ = machine.build(apart=False, commit=commit, target="run,dev", platform="amd64")
+    images, _ = machine.build(False, commit, target="run,dev", platform="amd64")
     tags, name = machine.tags, f"{machine.services.registry}/me/robot"
     assert tags.keys() == {"v1", "latest-v1", "v1-dev", "latest-dev-v1"}
     assert tags["v1"] == tags["latest-v1"] != tags["v1-dev"]
@@ -299,7 +301,7 @@ def test_no_tag_of_ci_loses_a_platform(machine: Machine) -> None:
     before = machine.tags
     for tag in ("v1", "v2"):
         with pytest.raises(RosmlError, match="is for linux/amd64, linux/arm64, and would be for linux/amd64 alone"):
-            machine.build(apart=False, platform="amd64", image_tag=tag, **latest)
+            machine.build(False, platform="amd64", image_tag=tag, **latest)
     assert machine.tags == before
     machine.build(platform="amd64", image_tag="v2", **latest)
     with pytest.raises(RosmlError, match=":latest is for linux/amd64, linux/arm64, and would be"):
@@ -315,7 +317,7 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
     robot.put("rosml/ros:jazzy", "linux/arm64")
     robot.app |= {"architecture": "arm64", "apt": {"tree": "2.1"}}
     inputs = {"base_image": "ros:jazzy", "command": "true", "target": "run,dev", "platform": "arm64", "push": "false"}
-    job = machine.job(commit=ci_job.Commit("x", "", False, Path()), **inputs)
+    job = machine.job(ci_job.Commit("x", "", False, Path()), **inputs)
     images = job.build(robot.folder, robot.services, machine.out, True)
     name, [_, run, dev] = f"{machine.services.registry}/me/robot", robot.targets
     assert run["tags"] == [f"{name}:latest_x_ci-arm64"] == [images[0].reference]
@@ -325,7 +327,7 @@ def test_a_build_takes_what_ci_makes_of_the_inputs(
 
 
 def test_a_name_without_a_registry_is_docker_hubs(machine: Machine) -> None:
-    images, _ = machine.build(apart=False, image_name="Me/Robot", push="false")
+    images, _ = machine.build(False, image_name="Me/Robot", push="false")
     assert images[0].reference == "docker.io/me/robot:latest"
 
 

@@ -36,8 +36,8 @@ def write(folder: Path, names: list[str] | tuple[str, ...]) -> None:
         (folder / name / "package.xml").write_text(PACKAGE.format(name.rpartition("/")[2]))
 
 
-def requests(folder: Path, given: dict[str, str], environment: dict[str, str] | None = None) -> dict[str, str]:
-    values, out = app_inputs.values(given, folder, {}), folder.parent / "requests"
+def requests(folder: Path, inputs: dict[str, str], environment: dict[str, str] | None = None) -> dict[str, str]:
+    values, out = app_inputs.values(inputs, folder, {}), folder.parent / "requests"
     workspace.write_requests(values, folder, folder.parent / "upstream", environment or {}, out)
     return {path.name: path.read_text() for path in out.iterdir()}
 
@@ -75,7 +75,7 @@ def test_packages_behind_links_are_those_that_colcon_finds(folder: Path, tmp_pat
     write(folder, ("third_party/tp", "src/main", ".git/secret"))
     write(outside, ("x",))
     (folder / "third_party/COLCON_IGNORE").touch()
-    links = {"tp": "../third_party/tp", "again": folder / "third_party/tp", "up": "..", "out": outside}
+    links = {"tp": "../third_party/tp", "again": str(folder / "third_party/tp"), "up": "..", "out": str(outside)}
     for name, leads in {**links, "nowhere": "nothing", "git": "../.git"}.items():
         (folder / "src" / name).symlink_to(leads)
     assert workspace.write_manifests({"target": folder}, tmp_path / "out", messages.append) == {"target": 2}
