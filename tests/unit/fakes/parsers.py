@@ -834,7 +834,9 @@ PARSERS: dict[str, Parser] = {
     ),
     "record": Parser("json", as_json(documents.ENTRY), entry_of),
     "record of rosml dev": Parser(
-        "json", as_json({"key": "a", "image": "b:latest", "id": "1", "upstream": ""}), written("a.json", dev_folder.read_record)
+        "json",
+        as_json({"key": "a", "image": "b:latest", "id": "1", "upstream": ""}),
+        written("a.json", dev_folder.read_record),
     ),
     "scan of a record": Parser("json", as_json(documents.ENTRY["scan"]), scan_of),
     "inputs of a record": Parser("json", as_json({"inputs": {"a": "b"}, **documents.ENTRY}), inputs_of),
