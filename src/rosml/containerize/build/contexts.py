@@ -19,7 +19,7 @@ from rosml.containerize.build.call import Call
 from rosml.containerize.lock import Lock
 from rosml.containerize.names import SLIM
 from rosml.containerize.packages import manifest, workspace
-from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.sources import fetch as sources
 from rosml.containerize.sources.git import Access
 from rosml.images.image_set.system import CALLED, DEBIAN
@@ -51,28 +51,29 @@ def fetch(call: Call, followed_lock: Lock | None) -> Fetched:
         call.folder,
         cache=call.services.state / "cache" / "git",
         access=access,
-        local=values.allow_file_urls,
         say=call.say,
     )
     list_file = values.downstream_workspace
-    upstream = into(
-        call.state / "upstream",
+    options = sources.Options(
         recursive=values.enable_recursive_vcs_import,
         file=values.vcs_import_file,
         without=list_file,
         pins=followed_lock.repositories if followed_lock else None,
+        local=values.allow_file_urls,
     )
+    upstream = into(call.state / "upstream", options=options)
     place = call.state / "downstream"
     if not list_file:
         shutil.rmtree(place, ignore_errors=True)
         place.mkdir()
         return Fetched(upstream, ())
-    if not within.there(call.folder / list_file, call.folder):
+    if not within.exists(call.folder / list_file, call.folder):
         text = f"downstream-workspace: there is no file {list_file} in {call.folder}"
         raise RosmlError(text, "name a .repos file there; other forms of industrial_ci do not count", exit_code=2)
     # If it was added after the lock file was written, it is the newest.
     pins = followed_lock.downstream if followed_lock and followed_lock.downstream else None
-    return Fetched(upstream, into(place, recursive=False, file=list_file, pins=pins))
+    options = replace(options, recursive=False, file=list_file, without="", pins=pins)
+    return Fetched(upstream, into(place, options=options))
 
 
 def write(call: Call, base: Base, slim: Base | None, followed_lock: Lock | None) -> Inputs:
@@ -81,7 +82,7 @@ def write(call: Call, base: Base, slim: Base | None, followed_lock: Lock | None)
     distribution, conditions = _distribution(call, base)
     staged, empty, requests, manifests = (state / name for name in ("staged", "empty", "requests", "manifests"))
     roots = {"target": folder, "upstream": state / "upstream", "downstream": state / "downstream"}
-    private = workspace.stage(folder, staged / "target", call.lock_file, LeftOut(folder))
+    private = workspace.stage(folder, staged / "target", call.lock_file, IgnoredFiles(folder))
     empty.mkdir(parents=True, exist_ok=True)
     _require_safe_mirrors(call)
     counts = _write_manifests(call, roots, manifests)

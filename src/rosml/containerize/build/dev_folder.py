@@ -22,7 +22,7 @@ from rosml.containerize import lock
 from rosml.containerize.build import bake_file, stage_cache
 from rosml.containerize.inputs import Values
 from rosml.containerize.packages import workspace
-from rosml.containerize.packages.ignored import LeftOut
+from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.sources import repos_file
 
 KEPT = ".rosml/dev"
@@ -97,13 +97,13 @@ def write_record(file: Path, record: ImageRecord) -> None:
 def inputs_digest(folder: Path, values: Values) -> str:
     """The digest of all inputs of the image that are on this machine. The base image and upstream branches may move: they are
     looked up only if the image is made."""
-    paths = [*workspace.manifests(folder, left=LeftOut(folder))]
-    paths += repos_file.found(folder) if values.enable_recursive_vcs_import else [folder / values.vcs_import_file]
+    paths = [*workspace.manifests(folder, ignored=IgnoredFiles(folder))]
+    paths += repos_file.find(folder) if values.enable_recursive_vcs_import else [folder / values.vcs_import_file]
     paths.append(lock.place(folder, values.lock_file, renew=False))
     secret = {name.replace("-", "_") for name in app_inputs.SECRET}
     facts: list[object] = [__version__, sorted(item for item in asdict(values).items() if item[0] not in secret)]
     for path in paths:
-        content = files.regular(path, app_inputs.LARGEST_TEXT) or b""
+        content = files.regular(path, workspace.LARGEST_TEXT) or b""
         facts.append([os.path.relpath(path, folder), hashlib.sha256(content).hexdigest()])
     with tempfile.TemporaryDirectory() as scratch:
         requests = Path(scratch, "requests")

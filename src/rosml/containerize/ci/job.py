@@ -79,7 +79,7 @@ def tags(target: str, values: Values, commit: Commit) -> list[str]:
     end = "" if target == "run" else f"-{target}"
     main_tag = values.image_tag
     if end:
-        main_tag = values.named(f"{target}-image-tag") or f"{values.image_tag}{end}"
+        main_tag = values.text(f"{target}-image-tag") or f"{values.image_tag}{end}"
     latest = values.enable_push_as_latest
     if commit.tag:
         release = _TAG.sub("-", commit.tag)

@@ -314,7 +314,8 @@ def test_packages_that_use_the_apps_are_built_and_tested(robot: Robot, monkeypat
     user.write_text(PACKAGE.format("user"))
     robot.build(**uses)
     assert robot.targets[0]["args"]["DOWNSTREAM"] == "downstream-results"
-    assert fetches[0]["without"] == fetches[1]["file"] == "uses.repos" and not fetches[1]["recursive"]
+    upstream, downstream = (options["options"] for options in fetches)
+    assert upstream.without == downstream.file == "uses.repos" and not downstream.recursive
     robot.build(**uses, tests="false")
     assert robot.bake_file["group"]["packages"]["targets"] == ["report", "results"]
     untested = robot.bake_file["target"]["results"]

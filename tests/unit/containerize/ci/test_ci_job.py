@@ -155,7 +155,7 @@ class Machine:
         for target in values.target.split(","):
             before = "" if target == "run" else f"{target}-"
             reference = (
-                f"{values.named(f'{before}image-name') or values.image_name}:{values.named(f'{before}image-tag')}"
+                f"{values.text(f'{before}image-name') or values.image_name}:{values.text(f'{before}image-tag')}"
             )
             images.append(Image(target, reference, self.push(reference)))
         return Result("base", images, Outcome())
