@@ -154,9 +154,7 @@ class Machine:
             raise RosmlError(self.error, "correct them")
         for target in values.target.split(","):
             before = "" if target == "run" else f"{target}-"
-            reference = (
-                f"{values.text(f'{before}image-name') or values.image_name}:{values.text(f'{before}image-tag')}"
-            )
+            reference = f"{values.text(f'{before}image-name') or values.image_name}:{values.text(f'{before}image-tag')}"
             images.append(Image(target, reference, self.push(reference)))
         return Result("base", images, Outcome())
 
