@@ -27,7 +27,7 @@ from rosml.containerize.build import app, bake_file, dev_folder
 from rosml.containerize.build.result import ShellImage
 from rosml.containerize.packages import workspace
 from rosml.containerize.packages.ignored import IgnoredFiles
-from rosml.run.plugins import concerns
+from rosml.run.plugins import basic_options
 
 COMMAND = bake_file.SCRIPTS / "containerize/desk_command.sh"
 
@@ -219,7 +219,7 @@ def test_git_and_builds_leave_out_what_is_kept(place: Place, tmp_path: Path) -> 
 
 
 def run_container(place: Place, key: str) -> None:
-    labels = {concerns.FOLDER: str(place.folder), dev.LABEL: key}
+    labels = {basic_options.FOLDER_LABEL: str(place.folder), dev.LABEL: key}
     config = {"Image": place.image, "Env": OURS, "Labels": labels, "Entrypoint": ["/tini", "--", "/entrypoint.sh"]}
     place.desk.engine(images={place.image: OURS}, containers={"r": ["running", "/r", place.image, config]})
 
