@@ -82,8 +82,8 @@ def addons(matrix: Matrix, scan: FolderScan, image: Image) -> tuple[list[str], l
         text = f"{mention.place} names {mention.word}"
         if stack:
             chosen.append(addon if image.stack else f"{addon}-{stack}")
-            advice = "a Dockerfile gets it by the lines in docs/addons.md"
-            notes.append((f"{text}: containerize adds the add-on {addon}", advice))
+            addition = f"{text}: containerize adds the add-on {addon}"
+            notes.append((addition, "a Dockerfile gets it by the lines in docs/addons.md"))
         else:
             notes.append((f"{text}, and {why}", _PIP))
     return chosen, notes
