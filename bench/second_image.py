@@ -28,7 +28,7 @@ from rosml.images.bake import bake_file, hcl
 from rosml.images.builds import base_images, disk
 from rosml.images.builds.maker import require_buildable
 from rosml.images.builds.push import push_by_digest
-from rosml.images.builds.variables import variables
+from rosml.images.builds.variables import sync_dates, variables
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.machine import buildx
@@ -190,7 +190,8 @@ class _Bench:
         """All builds and imports, one after the other."""
         image, services = self.image, self.services
         architecture = base_images.native_architecture()
-        self.variables = variables(services, self.image_set, image, architecture, self._prefix, self.say)
+        self.variables = variables(services, self.image_set, image, architecture, self._prefix)
+        self.variables |= sync_dates(services, self.image_set, image.distribution, self.say)
         self._write()
         self.say(f"{image.parent}, yesterday's and today's")
         ros = {day: self._push(f"{self.run}-ros-{day}", "ros")[0] for day in DAYS}

@@ -11,7 +11,7 @@ import pytest
 from offline import debian
 from rosml import ROOT
 from rosml.images.builds import base_images, push, structure_tests
-from rosml.images.builds.variables import variables
+from rosml.images.builds.variables import sync_dates, variables
 from rosml.images.image_set.model import ImageSet
 from rosml.machine import buildx
 from rosml.machine.services import Services
@@ -28,7 +28,8 @@ def test_the_same_packages_give_the_same_layers(
     """Another build without any cache: every layer of every component, from the base image on."""
     image = published(target)
     prefix = f"{services.registry}/{NAMESPACE}"
-    given = variables(services, image_set, image.image, NATIVE, prefix, print)
+    given = variables(services, image_set, image.image, NATIVE, prefix)
+    given |= sync_dates(services, image_set, image.image.distribution, print)
     bake_file = push.write_excerpt(services, image_set, target)
     call = buildx.Bake(target, f"again-{target}", bake_file, (f"{target}.tags=", "*.no-cache=true"), given)
     repository = f"{prefix}/again"

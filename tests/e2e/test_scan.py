@@ -67,8 +67,9 @@ class Joined:
 @pytest.fixture(scope="module")
 def joined(services: Services, image_set: ImageSet, registry: Any, published: Callable[[str], Published]) -> Joined:
     ros = published("ros1-bookworm-core")
-    item = building.find(image_set, "common-cu128-py311")
-    assembled = building.publish(services, image_set, item, LOG.info, NAMESPACE)
+    item = building.by_name(image_set, "common-cu128-py311")
+    builder = building.PartBuilder(services, image_set, f"{services.registry}/{NAMESPACE}", LOG.info)
+    assembled = builder.publish(item)
     index = registry.manifest(f"{NAMESPACE}/part", assembled.digest).content
     wheels = next(
         (it["digest"] for it in index.get("manifests", []) if it["platform"]["architecture"] == NATIVE),
@@ -149,9 +150,8 @@ def test_parts_are_scanned(
 ) -> None:
     """Debian's packages and Python's wheels; what no version mends is listed, and what is mended here is not."""
     image = judge.Image("ros1-bookworm-core-common-cu128", NATIVE, joined.parts)
-    facts: dict[str, Any] = {"now": datetime.now(UTC), "whole": True, "say": LOG.info}
-    run = judge.scan_images([image], rules, trivy, joined.shelf, **facts)
-    (scanned,) = run.images
+    scanner = judge.Scanner(trivy, joined.shelf, LOG.info)
+    (scanned,) = judge.scan_images([image], rules, scanner, datetime.now(UTC))
     assert scanned.outcome is Outcome.POLICY_FAILED, scanned.reason
     assert {(it.id, it.part) for it in scanned.failing} == {
         ("CVE-2026-90001", "ros1-bookworm-core"),
@@ -166,7 +166,7 @@ def test_builds_say_of_images_what_trivy_reads_in_them(
     trivy: Trivy, database: Database, joined: Joined, services: Services
 ) -> None:
     """The same packages, each of the same source, and the same findings: of the parts together as of the joined image."""
-    scanner = judge.Scanner(trivy, joined.shelf, database, LOG.info)
+    scanner = judge.Scanner(trivy, joined.shelf, LOG.info)
     parts = {(it.id, it.package, it.installed) for part in joined.parts for it in scanner.report(part).findings}
     file = trivy.folder / "report.json"
     reference = f"{services.registry}/{joined.repository}@{joined.digest}"
@@ -187,9 +187,9 @@ def test_a_database_that_is_too_old(
     old = Trivy(trivy.program, trivy.version, tmp_path, trivy.environment)
     write_database(tmp_path / "db", UPDATED - timedelta(days=9))
     image = judge.Image("joined", NATIVE, joined.parts)
-    run = judge.scan_images([image], rules, old, joined.shelf, now=datetime.now(UTC), whole=True)
-    assert run.outcome is Outcome.SCANNER_FAILED
-    assert "was made 9 days ago" in run.images[0].reason
+    (scanned,) = judge.scan_images([image], rules, judge.Scanner(old, joined.shelf), datetime.now(UTC))
+    assert scanned.outcome is Outcome.SCANNER_FAILED
+    assert "was made 9 days ago" in scanned.reason
 
 
 def test_a_damaged_database(trivy: Trivy, joined: Joined, database: Database, tmp_path: Path) -> None:

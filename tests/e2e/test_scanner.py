@@ -113,8 +113,7 @@ def test_it_finds_what_it_must(place: Place, tmp_path: Path) -> None:
     part, shelf = place.described(tmp_path)
     trivy.fetch(rules.policy.database, say=LOG.info)
     image = judge.Image("small", NATIVE, (part,))
-    run = judge.scan_images([image], rules, trivy, shelf, now=datetime.now(UTC), whole=True, say=LOG.info)
-    (scanned,) = run.images
+    (scanned,) = judge.scan_images([image], rules, judge.Scanner(trivy, shelf, LOG.info), datetime.now(UTC))
     assert scanned.outcome is Outcome.POLICY_FAILED, scanned.reason
     assert {it.id for it in scanned.failing} == {"CVE-2026-90001", "CVE-2026-90004"}
     assert {it.id for it in scanned.findings} == {"CVE-2026-90001", "CVE-2026-90002", "CVE-2026-90004"}

@@ -17,7 +17,7 @@ from fakes.scanning import sbom_of
 from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.images.builds import package_state
-from rosml.images.builds.maker import Checked, Made, Maker, Wanted
+from rosml.images.builds.maker import BuildRequest, Maker, NewImage, Verdict
 from rosml.images.image_set.labels import title
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
 from rosml.images.publish import provenance, run, undo
@@ -225,19 +225,19 @@ class Bytes(Maker):
     odd: dict[tuple[str, str], dict[str, str]] = field(default_factory=dict)
     tests: dict[str, tuple[str, ...]] = field(default_factory=dict)
 
-    def build_part(self, part: Part, architecture: str) -> Made:
+    def build_part(self, part: Part, architecture: str) -> NewImage:
         self._require_whole(part.target)
         inputs = self.state.inputs.digest(part.target, architecture)
         digest = self._put("build", part, architecture, [f"{part.target} {inputs}".encode()])
-        return Made(digest, base=BASE, sbom=self._sbom(part, digest))
+        return NewImage(digest, base=BASE, sbom=self._sbom(part, digest))
 
-    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> Made:
+    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> NewImage:
         self._require_whole(image.target)
         layer = f"{image.target} {self.packages} {architecture}".encode()
         digest = self._put("build", image, architecture, [*self._layers(parts, architecture), layer])
-        return Made(digest, parts, packages, "" if parts else BASE, self._sbom(image, digest))
+        return NewImage(digest, parts, packages, "" if parts else BASE, self._sbom(image, digest))
 
-    def build_together(self, builds: Sequence[Wanted]) -> None:
+    def build_together(self, builds: Sequence[BuildRequest]) -> None:
         """Each is built when its turn comes."""
 
     def describe(self, thing: Image | Part, digest: str) -> str:
@@ -249,12 +249,12 @@ class Bytes(Maker):
 
     def test(
         self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
-    ) -> Checked:
+    ) -> Verdict:
         self.tests[image.target] = names
         self.actions.append(("test", image.target, architecture))
         failures = (f"{self.failing}: it is poisoned",) if image.target in self.poisoned else ()
         log = "".join(f"    {failure}\n      Expected 0, got 1" for failure in failures)
-        return Checked(5, failures, versions={"torch": "2.10.0"}, said=log)
+        return Verdict(5, failures, versions={"torch": "2.10.0"}, output=log)
 
     def _require_whole(self, target: str) -> None:
         if target in self.broken:

@@ -221,7 +221,7 @@ class Shelf:
             vulnerabilities[0], fixed="1:1.0-1+deb12u2", ignored="it is compiled out", until="2027-03-31"
         )
         vulnerabilities[1] = replace(vulnerabilities[1], fixed="1:1.1~rc1")
-        return Scanned(image.target, "amd64", Outcome.CLEAN, "", tuple(vulnerabilities)).named
+        return Scanned(image.target, "amd64", Outcome.CLEAN, "", tuple(vulnerabilities)).recorded
 
     def _ros_unpacked(self, image: sets.Image) -> int:
         ros = self.image_set.by_target[image.parent] if image.stack else image

@@ -32,9 +32,9 @@ def main(version: str, matrix: Path, as_json: bool) -> None:
     from rosml.images.image_set import load
     from rosml.images.publish import revision
 
-    found = revision.since(version, Inputs(ROOT, load.load(matrix, ROOT)))
-    github.summary(changes.markdown(found))
+    difference = revision.since(version, Inputs(ROOT, load.load(matrix, ROOT)))
+    github.summary(changes.markdown(difference))
     if as_json:
-        terminal.echo(changes.as_json(found), nl=False)
+        terminal.echo(changes.as_json(difference), nl=False)
     else:
-        tables.print_difference(found)
+        tables.print_difference(difference)

@@ -13,7 +13,6 @@ from rosml.cli.checkout import Command
 from rosml.cli.command import say
 
 KEPT = "interrupted: no tag was moved; the next call finds again what was pushed"
-"""The message after Ctrl-C."""
 
 
 @click.command("join", short_help="Joins a ROS image and parts in a registry.", cls=Command, alone=True, kept=KEPT)
@@ -46,12 +45,12 @@ def main(
         Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,
         Joiner(clients, allow_unlisted=allow_unlisted, say=say) as joiner,
     ):
-        found = joiner.join(ros_image, parts, tag, platforms)
+        report = joiner.join(ros_image, parts, tag, platforms)
     if as_json:
-        terminal.echo(json.dumps(found.to_json(), indent=2))
+        terminal.echo(json.dumps(report.to_json(), indent=2))
         return
-    terminal.echo(f"{found.reference}@{found.digest}")
-    counts = ((found.mounted, "mounted"), (found.present, "there already"), (found.copied, "copied"))
+    terminal.echo(f"{report.reference}@{report.digest}")
+    counts = ((report.mounted, "mounted"), (report.present, "there already"), (report.copied, "copied"))
     ways = ", ".join(f"{number} {what}" for number, what in counts if number)
-    terminal.echo(f"{', '.join(found.manifests)}: {found.layers} layers ({ways})")
-    terminal.echo(f"{size(found.uploaded)} uploaded in {duration(found.seconds)}")
+    terminal.echo(f"{', '.join(report.manifests)}: {report.layers} layers ({ways})")
+    terminal.echo(f"{size(report.uploaded)} uploaded in {duration(report.seconds)}")

@@ -39,7 +39,7 @@ def with_ros(
     distributions = {row.ros_distro or name for name, row in image_set.matrix.distributions.items()}
     frameworks = {item.name for image in image_set.images for item in image.brought}
     scripts = adopted.scripts(base.entrypoint, base.environment) if values.base_entrypoint else ()
-    sought = adopted.Sought(tuple(sorted(distributions)), tuple(sorted(frameworks)), scripts)
+    sought = adopted.Query(tuple(sorted(distributions)), tuple(sorted(frameworks)), scripts)
     facts = adopted.look(services, base.reference, platforms[0], sought)
     if facts.ros:
         if values.ros_distro:

@@ -38,7 +38,6 @@ BIN = "/usr/local/lib/rosml/bin"
 """The first folder on PATH. Its `python3` is the Python of ROS, even if the image has others."""
 
 ENTRYPOINT = ("/tini", "--", "/entrypoint.sh")
-"""The entrypoint of our images (components/base)."""
 
 MOVED = "/usr/local/lib/rosml/entrypoint.sh"
 """Where the image's own /entrypoint.sh goes (components/base/contract.sh)."""
@@ -50,10 +49,8 @@ _ROS = ("ROS_DISTRO", "ROS_VERSION", "ROS_SYNC_DATE")
 """Variables of the installed ROS. If the image sets them, ours count."""
 
 _STEP = ROOT / "components/containerize/step.sh"
-"""The script that starts a step with the variables that it may have."""
 
 _DEFAULT_SHELL = ("/bin/sh", "-c")
-"""What runs steps if an image names no shell."""
 
 _INITS = ("tini", "tini-static", "docker-init", "dumb-init", "catatonit")
 
@@ -85,13 +82,9 @@ class Adopted:
 
     Attributes:
         reference: by digest, or of an image in the user's Docker.
-        image_set: all that the matrix describes.
         image: the ROS image whose ROS is installed.
-        environment: from the config.
-        user: from the config.
+        environment, user, shell, labels: from the config.
         entrypoint: the words of its entrypoint that ours calls before the command.
-        shell: from the config.
-        labels: from the config.
         carries: CUDA and frameworks that the image has.
         sync: the sync date of ROS's apt repository; empty if the packages come from elsewhere.
         system: the base image of the distribution's operating system, if steps take a tool from it.
@@ -113,14 +106,13 @@ class Adopted:
     def inputs(self) -> str:
         """A digest of everything that decides the result, except the image itself and its platforms."""
         inputs = Inputs(ROOT, self.image_set)
-        found = [inputs.digest(self.image.target, architecture) for architecture in self.image.architectures]
-        return hashlib.sha256(
-            oci.encoded({"inputs": found, "sync": self.sync, "entrypoint": [*self.entrypoint]})
-        ).hexdigest()
+        digests = [inputs.digest(self.image.target, architecture) for architecture in self.image.architectures]
+        facts = {"inputs": digests, "sync": self.sync, "entrypoint": [*self.entrypoint]}
+        return hashlib.sha256(oci.encoded(facts)).hexdigest()
 
 
 @dataclass(frozen=True)
-class Sought:
+class Query:
     """What to look for in an image.
 
     Attributes:
@@ -134,29 +126,19 @@ class Sought:
     scripts: tuple[str, ...] = ()
 
 
-def look(services: Services, reference: str, platform: str, sought: Sought) -> System:
-    """Examines an image. The builder copies a few files out of it, and runs nothing. The result is kept for its digest.
-
-    Args:
-        services: the builder.
-        reference: as the builder takes it.
-        platform: which image of an index.
-        sought: what to look for.
-
-    Raises:
-        RosmlError: the image is not available, or cannot be examined.
-    """
-    question = {"reference": reference, "platform": platform, **asdict(sought)}
-    state = services.state / "adopted" / hashlib.sha256(oci.encoded(question)).hexdigest()
-    answer = state / "known.json"
+def look(services: Services, reference: str, platform: str, query: Query) -> System:
+    """Examines an image. The builder copies a few files out of it, and runs nothing. The result is kept for its digest."""
+    key = {"reference": reference, "platform": platform, **asdict(query)}
+    state = services.state / "adopted" / hashlib.sha256(oci.encoded(key)).hexdigest()
+    kept_facts = state / "known.json"
     with turn(state / "lock", lambda: None):
-        if "@" in reference and answer.is_file():
+        if "@" in reference and kept_facts.is_file():
             try:
-                return _SYSTEM.validate_json(answer.read_bytes())
+                return _SYSTEM.validate_json(kept_facts.read_bytes())
             except ValidationError:
                 pass  # from another version of this program
-        facts = _look(services, reference, platform, state, sought)
-        files.write(answer, _SYSTEM.dump_json(facts).decode())
+        facts = _look(services, reference, platform, state, query)
+        files.write(kept_facts, _SYSTEM.dump_json(facts).decode())
     return facts
 
 
@@ -166,23 +148,23 @@ _LINK = "failed to calculate checksum of ref"
 """The builder's message about a link that leads nowhere."""
 
 
-def _copies(sought: Sought) -> list[str]:
+def _copies(query: Query) -> list[str]:
     """What to copy out of an image: sources and destination of each COPY. Links are followed."""
     copies = [f"{_if_there('/etc/os-release')} /etc/", f"{_if_there('/usr/lib/os-release')} /usr/lib/"]
     copies += [f"{_if_there(f'/usr/bin/{tool}')} {_if_there(f'/bin/{tool}')} /bin/" for tool in PROGRAMS]
     copies.append(f"{_if_there(DPKG)} /dpkg/")
     copies.append(" ".join([*map(_if_there, _SOURCES), "/apt/"]))
     # Images for Jetson have it in the folder `install` of the distribution's folder.
-    places = [(f"/opt/ros/{name}", name) for name in sought.ros] + [("/opt/ros/*", "")]  # any other ROS
+    places = [(f"/opt/ros/{name}", name) for name in query.ros] + [("/opt/ros/*", "")]  # any other ROS
     for place, name in places:
         setups = (f"{place}/setup.bash", f"{place}/install/setup.bash")
         copies.append(f"{' '.join(map(_if_there, setups))} {PurePosixPath('/opt/ros', name)}/")
     cuda = ("/usr/local/cuda/version.json", "/usr/local/cuda-*/version.json")
     copies.append(f"{' '.join(map(_if_there, cuda))} /carries/cuda/")
-    for name in sought.frameworks:  # where pip and apt put them
+    for name in query.frameworks:  # where pip and apt put them
         modules = (f"{folder}/python3*/*-packages/{name}/__init__.py" for folder in ("/usr/local/lib", "/usr/lib"))
         copies.append(f"{' '.join(map(_if_there, modules))} /carries/{name}/")
-    copies += [f"{_if_there(path)} /entrypoint/{number}/" for number, path in enumerate(sought.scripts)]
+    copies += [f"{_if_there(path)} /entrypoint/{number}/" for number, path in enumerate(query.scripts)]
     return copies
 
 
@@ -194,11 +176,11 @@ def _if_there(path: str) -> str:
     return "/".join(part if "*" in part else f"{part[:-1]}[{part[-1]}]" if part else "" for part in path.split("/"))
 
 
-def _look(services: Services, reference: str, platform: str, state: Path, sought: Sought) -> System:
+def _look(services: Services, reference: str, platform: str, state: Path, query: Query) -> System:
     archive = state / "system.tar"
     target = {
         "context": str(empty(state)),
-        "dockerfile-inline": "\n".join(["FROM scratch", *(f"COPY --from=os {copy}" for copy in _copies(sought)), ""]),
+        "dockerfile-inline": "\n".join(["FROM scratch", *(f"COPY --from=os {copy}" for copy in _copies(query)), ""]),
         "contexts": {"os": f"docker-image://{reference}"},
         "platforms": [platform],
         "output": [exported.output(archive)],
@@ -222,18 +204,13 @@ def _look(services: Services, reference: str, platform: str, state: Path, sought
         raise RosmlError(f"{reference} cannot be examined: {error.message}", remedy) from None
     finally:
         archive.unlink(missing_ok=True)  # the archive may be large
-    facts = _facts(folder, larger, sought)
+    facts = _facts(folder, larger, query)
     shutil.rmtree(folder)
     return facts
 
 
-def _facts(folder: Path, larger: Collection[str], sought: Sought) -> System:
-    """What the files of an image say.
-
-    Args:
-        folder: the copied files.
-        larger: the paths of files that are too large to be copied.
-    """
+def _facts(folder: Path, larger: Collection[str], query: Query) -> System:
+    """The facts in copied files; `larger` are paths of files that are too large to be copied."""
     releases = (folder / name for name in ("etc/os-release", "usr/lib/os-release"))
     text = next((path.read_text(errors="replace") for path in releases if path.is_file()), "")
     ros = {path.parent.name for path in (folder / "opt/ros").glob("*/setup.bash")}
@@ -244,7 +221,7 @@ def _facts(folder: Path, larger: Collection[str], sought: Sought) -> System:
     if any(_SOURCE.search(path.read_text(errors="replace")) for path in (folder / "apt").glob("*") if path.is_file()):
         tools.add(SOURCE)
     carries = sorted({path.parent.name for path in (folder / "carries").glob("*/*") if path.is_file()})
-    numbers = (str(number) for number in range(len(sought.scripts)))
+    numbers = (str(number) for number in range(len(query.scripts)))
     script = next((path for number in numbers for path in (folder / "entrypoint" / number).glob("*")), None)
     passes_on = script is not None and script.is_file() and ends_in_the_command(script.read_text(errors="replace"))
     return replace(system(text, ros or other, tools), carries=tuple(carries), passes_on=passes_on)
@@ -260,8 +237,8 @@ def stage(services: Services, adopted: Adopted) -> Path:
     place = services.state / "adopted" / f"steps-{adopted.inputs}"
     if not place.is_dir():
         place.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=place.parent) as made:
-            folder = Path(made, "steps")
+        with tempfile.TemporaryDirectory(dir=place.parent) as temporary:
+            folder = Path(temporary, "steps")
             for name in ("components", "locks", "tools"):
                 shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
             shutil.copy2(ROOT / "Dockerfile", folder)
@@ -286,7 +263,6 @@ def base_targets(
     """The bake targets that install ROS on an image, each on the one before.
 
     Args:
-        adopted: the image, and the ROS for it.
         name: of the last target. The names of the others begin with it.
         common: settings of all targets, such as platforms, secrets and network.
         nothing: an empty folder.
@@ -299,7 +275,7 @@ def base_targets(
         chain.insert(0, below)
     inline = {**common, "context": str(nothing)}
     first, emptied = f"{name}-system", _arguments(adopted)
-    found: dict[str, dict[str, Any]] = {
+    bake_targets: dict[str, dict[str, Any]] = {
         first: {
             **inline,
             "dockerfile-inline": "\n".join(["FROM os", "USER root", *_plain(emptied), f"ENV PATH={BIN}:$PATH", ""]),
@@ -319,7 +295,7 @@ def base_targets(
             key: text for key, value in target.arguments.items() if (text := _argument(value, adopted.sync)) is not None
         }
         on = f"{name}-{step.lstrip('_')}"
-        found[on] = {
+        bake_targets[on] = {
             **common,
             "context": str(steps),
             "dockerfile": str(steps / "Dockerfile"),
@@ -328,14 +304,14 @@ def base_targets(
             "args": arguments | ({"ADOPTED": "true"} if target.stage == "base" else {}),
         }
     kept = {key: value for key, value in adopted.environment.items() if key in _KEPT or key in {*emptied} - {*_ROS}}
-    found[name] = {
+    bake_targets[name] = {
         **inline,
         "dockerfile-inline": _last(adopted, kept),
         "contexts": {"ros": f"target:{on}"},
         "labels": _labels(adopted, every[adopted.image.target].labels),
         "args": {f"KEPT_{key}": value for key, value in kept.items()},
     }
-    return found
+    return bake_targets
 
 
 def _arguments(adopted: Adopted) -> list[str]:
@@ -346,11 +322,7 @@ def _arguments(adopted: Adopted) -> list[str]:
 
 
 def _plain(emptied: Iterable[str]) -> list[str]:
-    """Lines of a Dockerfile that make steps run as on our own images, whatever shells and variables the image sets.
-
-    Args:
-        emptied: variables of the image that steps have empty.
-    """
+    """Lines of a Dockerfile that make steps run as on our own images, whatever shells and variables the image sets."""
     script = re.sub("^#.*\n", "", files.text(_STEP), flags=re.MULTILINE)  # the image's history repeats it
     shell = [*_DEFAULT_SHELL, script, _STEP.name, *_DEFAULT_SHELL]
     return [f"SHELL {json.dumps(shell)}", *(f"ENV {name}=" for name in emptied)]
@@ -361,13 +333,12 @@ _OWN = re.compile(r"(NVIDIA_)?(CUDA|CUDNN|PYTORCH|TORCH|TENSORFLOW)_VERSION")
 
 
 def _labels(adopted: Adopted, row: Mapping[str, Value]) -> dict[str, str]:
-    """The labels that `rosml join` reads. Other labels with our prefix become empty, since a build cannot remove
-    labels."""
-    found = {
+    """The labels that `rosml join` reads. A build cannot remove others with our prefix, so they become empty."""
+    texts = {
         name: str(value) for name, value in row.items() if name.startswith(labels.PREFIX) and isinstance(value, str)
     }
-    own = " ".join([*adopted.carries, *(name for name in sorted(adopted.environment) if _OWN.fullmatch(name))])
-    ours = {name: value for name, value in {**found, labels.OWN: own}.items() if value and name != labels.RUNTIME}
+    carried = " ".join([*adopted.carries, *(name for name in sorted(adopted.environment) if _OWN.fullmatch(name))])
+    ours = {name: value for name, value in {**texts, labels.OWN: carried}.items() if value and name != labels.RUNTIME}
     return dict.fromkeys((name for name in adopted.labels if name.startswith(labels.PREFIX)), "") | ours
 
 
@@ -436,7 +407,6 @@ def _without_init(entrypoint: Sequence[str]) -> list[str]:
 
 
 def _argument(value: Value, sync: str) -> str | None:
-    """The value of a build argument of our own images; None if it has none."""
     if isinstance(value, str):
         return value
     if isinstance(value, Overridable):

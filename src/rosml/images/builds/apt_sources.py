@@ -62,30 +62,16 @@ class Source:
 
     @property
     def flat(self) -> bool:
-        """Whether the repository is flat: its lists of packages are beside the Release file."""
+        """Whether its lists of packages are beside the Release file."""
         return self.suite.endswith("/")
 
     def release(self, address: str) -> str:
-        """The address of the Release file.
-
-        Args:
-            address: of the archive, or of its copy on a mirror.
-        """
+        """The address of the Release file below the archive's address, or that of its copy on a mirror."""
         return f"{address}/{self.suite.lstrip('/')}Release" if self.flat else f"{address}/dists/{self.suite}/Release"
 
 
 def sources(services: Services, systems: Mapping[str, OperatingSystem], name: str) -> tuple[Source, ...]:
-    """The HTTP apt sources of an operating system's base image, for this machine's architecture.
-
-    Args:
-        services: of this machine.
-        systems: the operating systems of matrix.yaml.
-        name: of one of them.
-
-    Raises:
-        RosmlError: the base image is not available or cannot be read, or its sources are malformed; or a variable names
-            no base image by digest (exit code 2).
-    """
+    """The HTTP apt sources of an operating system's base image, for this machine's architecture."""
     reference = base_images.reference(services, systems, name)
     architecture = base_images.native_architecture()
     digest = reference.rpartition(":")[2]
@@ -99,11 +85,11 @@ def sources(services: Services, systems: Mapping[str, OperatingSystem], name: st
 
 def _kept(file: Path) -> Texts | None:
     try:
-        found = untrusted.json_value(file.read_bytes())
+        texts = untrusted.json_value(file.read_bytes())
     except (OSError, ValueError):
         return None
-    whole = isinstance(found, dict) and all(isinstance(text, str) for text in found.values())
-    return found if whole else None
+    whole = isinstance(texts, dict) and all(isinstance(text, str) for text in texts.values())
+    return texts if whole else None
 
 
 def _keep(file: Path, texts: Texts) -> None:
@@ -120,27 +106,18 @@ def _keep(file: Path, texts: Texts) -> None:
 def parse(texts: Mapping[str, str], image: str) -> tuple[Source, ...]:
     """The sources in some files, in apt's order, with each suite of an archive once. Only sources over HTTP count, and
     no sources of source packages.
-
-    Args:
-        texts: texts by path.
-        image: the image that has them, for errors.
-
-    Raises:
-        RosmlError: a source is malformed, so that apt cannot read it either.
     """
-    found: dict[tuple[str, str], dict[str, None]] = {}
+    names: dict[tuple[str, str], dict[str, None]] = {}
     for path in sorted(texts):
-        read = _stanzas if path.endswith(".sources") else _lines
-        for where, uris, suites, components in read(texts[path]):
+        entries = _stanzas if path.endswith(".sources") else _lines
+        for line, uris, suites, components in entries(texts[path]):
             if not uris or not suites or any(suite.endswith("/") == bool(components) for suite in suites):
-                raise RosmlError(
-                    f"/{path}:{where} of {image} is no apt source",
-                    "correct it in the base image, or name another image",
-                )
+                text = f"/{path}:{line} of {image} is no apt source"
+                raise RosmlError(text, "correct it in the base image, or name another image")
             for uri in uris:
                 for suite in suites if re.match("https?://", uri) else ():
-                    found.setdefault((uri.rstrip("/"), suite), {}).update(dict.fromkeys(components))
-    return tuple(Source(address, suite, tuple(names)) for (address, suite), names in found.items())
+                    names.setdefault((uri.rstrip("/"), suite), {}).update(dict.fromkeys(components))
+    return tuple(Source(address, suite, tuple(components)) for (address, suite), components in names.items())
 
 
 _Entry = tuple[int, list[str], list[str], list[str]]
@@ -148,11 +125,11 @@ _Entry = tuple[int, list[str], list[str], list[str]]
 
 
 def _lines(text: str) -> Iterator[_Entry]:
-    """The binary sources of a file in the one-line format: ``deb [options] URI suite components…``."""
+    """The binary sources of a file in the one-line format: `deb [options] URI suite components…`."""
     for number, line in enumerate(text.split("\n"), 1):
-        if found := re.match(r"\s*deb\s+(?:\[[^]]*\]\s*)?([^#]*)", line):
+        if source := re.match(r"\s*deb\s+(?:\[[^]]*\]\s*)?([^#]*)", line):
             # The name of a CD is in brackets, and may contain spaces.
-            words = re.sub(r"^(\w+:)\[[^]]*\]", r"\1", found[1]).split()
+            words = re.sub(r"^(\w+:)\[[^]]*\]", r"\1", source[1]).split()
             yield number, words[:1], words[1:2], words[2:]
 
 
@@ -171,9 +148,9 @@ def _stanzas(text: str) -> Iterator[_Entry]:
             name = name.strip().lower()
             fields[name] = [value]
         else:
-            said = {key: " ".join(lines) for key, lines in fields.items()}
-            if "deb" in said.get("types", "").split() and said.get("enabled", "yes").strip().lower() not in _NO:
-                uris, suites, components = (said.get(key, "").split() for key in ("uris", "suites", "components"))
+            values = {key: " ".join(lines) for key, lines in fields.items()}
+            if "deb" in values.get("types", "").split() and values.get("enabled", "yes").strip().lower() not in _NO:
+                uris, suites, components = (values.get(key, "").split() for key in ("uris", "suites", "components"))
                 yield start, uris, suites, components
             fields, start, name = {}, 0, ""
 
@@ -182,11 +159,6 @@ def _stanzas(text: str) -> Iterator[_Entry]:
 
 
 def _read(services: Services, reference: str, architecture: str) -> Texts:
-    """Reads the files of apt sources in a base image.
-
-    Raises:
-        RosmlError: the registry does not answer; the image does not exist for the architecture; a layer cannot be read.
-    """
     with Registries(services.ca_bundle) as registries:
         for place in _places(services, reference):
             registry = registries(place.host)
@@ -208,11 +180,10 @@ def _places(services: Services, reference: str) -> list[references.Reference]:
 
 
 def _manifest(registry: Registry, place: references.Reference, architecture: str) -> Manifest | None:
-    """The manifest of an image for an architecture; None if the registry has no such image."""
-    found = registry.manifest(place.repository, place.reference)
-    if found is None or not found.is_index:
-        return found
-    for entry in found.members:
+    manifest = registry.manifest(place.repository, place.reference)
+    if manifest is None or not manifest.is_index:
+        return manifest
+    for entry in manifest.members:
         if entry.platform and (entry.platform.os, entry.platform.architecture) == ("linux", architecture):
             return registry.manifest(place.repository, entry.digest)
     raise RosmlError(f"{place} is not there for linux/{architecture}", "name a base image that has this architecture")
@@ -231,20 +202,18 @@ def read_layer(registry: Registry, place: references.Reference, layer: Descripto
                 _unpacked(blocks, layer.mediaType) as stream,
                 tarfile.open(fileobj=stream, mode="r|", tarinfo=archives.Entry) as archive,
             ):
-                found, whole = _found(archive)
+                files, whole = _files_in(archive)
             for _ in blocks if whole else ():  # at the end, the digest is checked
                 pass
-            return found
+            return files
         except (tarfile.TarError, EOFError, OSError, OverflowError, ValueError) as error:
-            raise RosmlError(
-                f"{place}: the layer {layer.digest} cannot be read: {error}",
-                "push the base image again, or name another",
-            ) from None
+            text = f"{place}: the layer {layer.digest} cannot be read: {error}"
+            raise RosmlError(text, "push the base image again, or name another") from None
 
     return registry.read_blob(place.repository, layer.digest, read, layer.size)
 
 
-def _found(archive: tarfile.TarFile) -> tuple[tuple[Texts, set[str]], bool]:
+def _files_in(archive: tarfile.TarFile) -> tuple[tuple[Texts, set[str]], bool]:
     """The result of `read_layer`, and whether the whole layer was read.
 
     The reading stops after /etc/apt, if there were sources, and all names so far were sorted.
@@ -281,13 +250,10 @@ def _text(archive: tarfile.TarFile, entry: tarfile.TarInfo, room: int) -> str:
 
 
 def _hidden(path: str, gone: set[str]) -> bool:
-    """Whether a layer deletes a file of the layers below."""
     return any(folder in ("", path) or path.startswith(f"{folder}/") for folder in gone)
 
 
 class _Blocks(io.RawIOBase):
-    """A file-like object over pieces of bytes."""
-
     def __init__(self, blocks: Iterator[bytes]) -> None:
         self._blocks, self._rest = blocks, memoryview(b"")
 
@@ -297,9 +263,9 @@ class _Blocks(io.RawIOBase):
     def readinto(self, buffer: Any) -> int:
         while not self._rest and (block := next(self._blocks, None)) is not None:
             self._rest = memoryview(block)
-        found, self._rest = self._rest[: len(buffer)], self._rest[len(buffer) :]
-        buffer[: len(found)] = found
-        return len(found)
+        piece, self._rest = self._rest[: len(buffer)], self._rest[len(buffer) :]
+        buffer[: len(piece)] = piece
+        return len(piece)
 
 
 def _unpacked(blocks: Iterator[bytes], media_type: str) -> io.BufferedReader:

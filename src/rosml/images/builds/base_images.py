@@ -32,8 +32,7 @@ class Assembler:
     """The image that parts are built on.
 
     Attributes:
-        reference: by digest.
-        python: the version of Python in it; empty if it lacks the wanted one.
+        python: the version of Python in it; empty if it lacks that of the part.
     """
 
     reference: str
@@ -50,47 +49,27 @@ def reference(services: Services, systems: Mapping[str, OperatingSystem], name: 
     """The reference by digest of an operating system's base image, which the builder can pull.
 
     Args:
-        services: of this machine.
-        systems: the operating systems of matrix.yaml.
-        name: of one of them.
         architecture: `amd64` or `arm64`; the machine's own if empty. For another architecture than its own, the
             machine's command gives an image that has both, because parts are built on the machine's own.
-
-    Raises:
-        RosmlError: the image is not available here, or a variable names no image by digest (exit code 2).
     """
-    if given := _given(name):
-        return given
+    if override := _override(name):
+        return override
     if not services.bases:
         return _official(systems[name])
-    asked = architecture or native_architecture()
-    return _answer(services, name, _official(systems[name]), ("reference",), "--architecture", asked)[0]
+    options = "--architecture", architecture or native_architecture()
+    return _answer(services, name, _official(systems[name]), ("reference",), *options)[0]
 
 
 def assembler(services: Services, systems: Mapping[str, OperatingSystem], name: str, python: str) -> Assembler:
-    """The image that parts for an operating system and a Python are built on, for this machine's own architecture.
-
-    Args:
-        services: of this machine.
-        systems: the operating systems of matrix.yaml.
-        name: of the one that has that Python.
-        python: such as `3.12`; `any` if no Python is needed.
-
-    Raises:
-        RosmlError: as in `reference`.
-    """
-    if _given(name) or not services.bases:
+    """The image that parts for an operating system and a Python are built on, for this machine's own architecture."""
+    if _override(name) or not services.bases:
         return Assembler(reference(services, systems, name), systems[name].python)
     return Assembler(*_answer(services, name, _official(systems[name]), ("reference", "python"), "--assembler", python))
 
 
 def missing(services: Services, systems: Mapping[str, OperatingSystem], name: str) -> str:
-    """Why an operating system's base image is not available on this machine; empty if it is.
-
-    Raises:
-        RosmlError: the machine's command fails, or a variable names no image by digest (exit code 2).
-    """
-    if _given(name) or not services.bases:
+    """Why an operating system's base image is not available on this machine; empty if it is."""
+    if _override(name) or not services.bases:
         return ""
     return _answer(services, name, _official(systems[name]), ("missing",), "--check")[0]
 
@@ -101,16 +80,10 @@ def name_another(name: str) -> str:
 
 
 def _official(system: OperatingSystem) -> str:
-    """The reference of the base image that matrix.yaml names."""
     return f"{system.image}@{system.digest}"
 
 
-def _given(name: str) -> str:
-    """The reference in an operating system's variable; empty if it is not set.
-
-    Raises:
-        RosmlError: the variable names no image by digest (exit code 2).
-    """
+def _override(name: str) -> str:
     variable = names.os_variable(name)
     text = os.environ.get(variable, "").removeprefix("docker-image://")
     if text and not PINNED.fullmatch(text):
@@ -120,16 +93,11 @@ def _given(name: str) -> str:
 
 @functools.cache
 def _answer(services: Services, name: str, image: str, keys: tuple[str, ...], *arguments: str) -> tuple[str, ...]:
-    """Values of the machine's command for an image. A process calls it once. Its messages for people go to standard
-    error.
-
-    Raises:
-        RosmlError: the command fails, or prints something else.
-    """
+    """Values that the machine's command prints for an image. A process calls it once."""
     command = [*services.bases, image, *arguments]
     try:
-        done = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, check=False)
-        answer = untrusted.json_value(done.stdout)
+        process = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, text=True, check=False)
+        answer = untrusted.json_value(process.stdout)
         if "error" in answer:
             raise RosmlError(str(answer["error"]), f"{answer['remedy']}; or {name_another(name)}")
         return tuple(str(answer[key]) for key in keys)

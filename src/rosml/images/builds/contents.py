@@ -56,17 +56,11 @@ def attach(
     has a list of files or facts, it keeps them. The same packages give an SBOM with the same digest.
 
     Args:
-        services: the builder.
         image_set: names the operating system whose tools read the images.
-        registry: of the images.
         images: the repository of each, and the digest of its manifest or index.
-        say: prints a line of progress.
 
     Returns:
         Digests of the SBOMs' artifacts, by digest of the manifest.
-
-    Raises:
-        RosmlError: an image is missing; the build failed; the registry refuses.
     """
     listed = [(repository, item) for repository, digest in images for item in manifests(registry, repository, digest)]
     for repository, manifest in listed:
@@ -89,9 +83,9 @@ def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest
     Raises:
         RosmlError: the image is missing, or the manifest is no image (exit code 2).
     """
-    found = _there(registry, repository, digest)
-    digests = [entry.digest for entry in found.members if "unknown" not in platform(entry.platform)]
-    images = [_there(registry, repository, name) for name in dict.fromkeys(digests)] if found.is_index else [found]
+    target = _require(registry, repository, digest)
+    digests = [entry.digest for entry in target.members if "unknown" not in platform(entry.platform)]
+    images = [_require(registry, repository, name) for name in dict.fromkeys(digests)] if target.is_index else [target]
     for image in images:
         if image.config is None:  # also if an index contains an index
             text = f"{registry.host}/{repository}@{image.digest} is no image: it has no config"
@@ -99,11 +93,11 @@ def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest
     return images
 
 
-def _there(registry: Registry, repository: str, digest: str) -> Manifest:
-    found = registry.manifest(repository, digest)
-    if found is None:
+def _require(registry: Registry, repository: str, digest: str) -> Manifest:
+    manifest = registry.manifest(repository, digest)
+    if manifest is None:
         raise RosmlError(f"{registry.host}/{repository}@{digest} is not there", "push it first")
-    return found
+    return manifest
 
 
 def _listings(
@@ -137,7 +131,6 @@ def _listings(
 
 
 def _listing(folder: Path, image: str) -> dict[str, bytes]:
-    """The files that one build exported."""
     exported.unpack(folder.with_name(f"{folder.name}.tar"), folder, limits=exported.OURS)
     listing = {name: exported.read(folder, name) for name in (PACKAGES, FILES, FACTS)}
     if not file_lists.unpacked(listing[FILES]):

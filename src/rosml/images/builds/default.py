@@ -14,12 +14,6 @@ from rosml.machine.services import Services
 def default(services: Services, image_set: ImageSet, architecture: str, say: Callable[[str], None]) -> Image:
     """The first of the matrix's default images that this machine can build. If it can build none, the last one.
 
-    Args:
-        services: of this machine.
-        image_set: all that the matrix describes.
-        architecture: to build for.
-        say: prints a line with the image and the reason.
-
     Raises:
         RosmlError: a base image or repository that the user set is wrong (exit code 2).
     """

@@ -29,35 +29,25 @@ def needed_mb(image_set: ImageSet, image: Image, built: Iterable[str]) -> int:
     unpacked once. The builder and the registry each hold both compressed.
 
     Args:
-        image_set: all that the matrix describes.
-        image: the image to build.
         built: names of the parts and targets that are built already.
     """
-    done = built if isinstance(built, Set) else set(built)
-    total = 0
-    if image.target not in done:
-        total += _ros_mb(image_set, _ros(image_set, image), done)
-    for name in image.parts:
-        if name not in done:
-            total += part_mb(image_set.part_by_name[name])
-    return total
+    present = built if isinstance(built, Set) else set(built)
+    ros = 0 if image.target in present else _ros_mb(image_set, _ros(image_set, image), present)
+    return ros + sum(part_mb(image_set.part_by_name[name]) for name in image.parts if name not in present)
 
 
 def part_mb(part: Part) -> int:
-    """Megabytes that building a part takes."""
     return 2 * part.disk.unpacked + 2 * part.disk.compressed
 
 
-def tested_mb(image_set: ImageSet, image: Image, there: Set[str]) -> int:
-    """Megabytes that testing an image takes if it was perhaps made elsewhere: it is pulled and unpacked.
+def tested_mb(image_set: ImageSet, image: Image, present: Set[str]) -> int:
+    """Megabytes that testing an image takes if it was perhaps built elsewhere: it is pulled and unpacked.
 
     Args:
-        image_set: all that the matrix describes.
-        image: the image to test.
-        there: names of the parts and targets that the builder has.
+        present: names of the parts and targets that the builder has.
     """
-    parts = [image_set.part_by_name[name].disk for name in image.parts if name not in there]
-    return _ros_mb(image_set, _ros(image_set, image), there) + sum(size.unpacked + size.compressed for size in parts)
+    parts = [image_set.part_by_name[name].disk for name in image.parts if name not in present]
+    return _ros_mb(image_set, _ros(image_set, image), present) + sum(size.unpacked + size.compressed for size in parts)
 
 
 def _ros(image_set: ImageSet, image: Image) -> Image:
@@ -65,20 +55,20 @@ def _ros(image_set: ImageSet, image: Image) -> Image:
     return image_set.by_target[image.parent if image.stack else image.target]
 
 
-def _ros_mb(image_set: ImageSet, image: Image, done: Set[str]) -> int:
+def _ros_mb(image_set: ImageSet, image: Image, present: Set[str]) -> int:
     """Megabytes for a ROS image and the images below it, down to the first one that is built already."""
-    if image.target in done:
+    if image.target in present:
         return 0
     below = image_set.by_target.get(image.parent)
     base = below.disk if below else rules.system_size(image_set.matrix, image.component)
-    own = image.disk.unpacked - base.unpacked + 2 * (image.disk.compressed - base.compressed)
+    size = image.disk.unpacked - base.unpacked + 2 * (image.disk.compressed - base.compressed)
     if below:
-        return own + _ros_mb(image_set, below, done)
-    return own + (0 if image.parent in done else base.unpacked + 2 * base.compressed)
+        return size + _ros_mb(image_set, below, present)
+    return size + (0 if image.parent in present else base.unpacked + 2 * base.compressed)
 
 
 def layers(image_set: ImageSet, image: Image) -> dict[str, int]:
-    """What an image is made of, from the bottom up: the system, ROS images and parts, each with its compressed megabytes alone."""
+    """What an image is made of, from the bottom up, each with its compressed megabytes alone."""
     ros: list[tuple[str, int]] = []
     below: Image | None = _ros(image_set, image)
     while below:
@@ -92,21 +82,15 @@ def layers(image_set: ImageSet, image: Image) -> dict[str, int]:
 
 
 def registry_mb(image_set: ImageSet, images: Iterable[Image], architectures: Iterable[str]) -> int:
-    """Megabytes that images take in a registry together: it keeps layers once, however many images have them.
-
-    Args:
-        image_set: all that the matrix describes.
-        images: the images; ROS images below them count too.
-        architectures: architectures to count.
-    """
-    wanted = set(architectures)
-    kept = {
+    """Megabytes that images take in a registry together, with the ROS images below them. It keeps each layer once."""
+    counted = set(architectures)
+    sizes = {
         (name, architecture): size
         for image in images
-        for architecture in wanted.intersection(image.architectures)
+        for architecture in counted.intersection(image.architectures)
         for name, size in layers(image_set, image).items()
     }
-    return sum(kept.values())
+    return sum(sizes.values())
 
 
 def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bool:
@@ -116,20 +100,16 @@ def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bo
     room at once. The user's own builder may be on another machine, and is left alone.
 
     Args:
-        services: the builder.
         needed: forecast in megabytes.
-        say: prints a line of progress, and a warning if there is still too little room.
 
     Returns:
         Whether the builder may have removed something.
     """
-    if services.builder_kind == "user" or _free_mb(services.state) >= needed + RESERVE_MB:
+    room, free = needed + RESERVE_MB, _free_mb(services.state)
+    if services.builder_kind == "user" or free >= room:
         return False
-    wanted = f"{needed + RESERVE_MB}MB"
-    say(
-        f"{gigabytes(_free_mb(services.state))} are free, and {gigabytes(needed + RESERVE_MB)} needed: the builder prunes its cache"
-    )
-    arguments = ["prune", "--builder", services.builder, "--force", "--all", "--min-free-space", wanted]
+    say(f"{gigabytes(free)} are free, and {gigabytes(room)} needed: the builder prunes its cache")
+    arguments = ["prune", "--builder", services.builder, "--force", "--all", "--min-free-space", f"{room}MB"]
     try:
         subprocess.run(
             [*services.buildx, *arguments],
@@ -141,10 +121,9 @@ def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bo
         )
     except (OSError, subprocess.SubprocessError) as error:
         say(f"the builder's cache was not pruned: {error}")
-    if (free := _free_mb(services.state)) < needed + RESERVE_MB:
-        say(
-            f"{gigabytes(free)} are free now: if the disk gets full, use a larger machine (architectures.*.runner in matrix.yaml)"
-        )
+    if (free := _free_mb(services.state)) < room:
+        remedy = "use a larger machine (architectures.*.runner in matrix.yaml)"
+        say(f"{gigabytes(free)} are free now: if the disk gets full, {remedy}")
     return True
 
 
@@ -154,11 +133,6 @@ def require(path: Path, needed: int, target: str, say: Callable[[str], None]) ->
     Args:
         path: a folder on the file system of the builder and the registry.
         needed: forecast in megabytes.
-        target: for the message.
-        say: prints a line of progress.
-
-    Raises:
-        RosmlError: there is too little room; the message has the numbers.
     """
     free = _free_mb(path)
     if needed:
@@ -172,10 +146,9 @@ def require(path: Path, needed: int, target: str, say: Callable[[str], None]) ->
 
 
 def _free_mb(path: Path) -> int:
-    """Megabytes that are free on a folder's file system."""
     return shutil.disk_usage(path).free // 1_000_000
 
 
 def gigabytes(megabytes: int) -> str:
-    """``12345`` -> ``12.3 GB``."""
+    """`12345` -> `12.3 GB`."""
     return f"{megabytes / 1000:.1f} GB"

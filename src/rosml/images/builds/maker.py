@@ -18,9 +18,9 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.builds import base_images, contents, disk, package_state, structure_tests
-from rosml.images.builds import part as parts
+from rosml.images.builds.part import PartBuilder
 from rosml.images.builds.push import push_together, pushed, pushing, write_excerpt
-from rosml.images.builds.variables import base, variables
+from rosml.images.builds.variables import base, sync_dates, variables
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
 from rosml.images.image_set.restricted import Declared
@@ -31,13 +31,13 @@ from rosml.registry.oci import Manifest
 from rosml.registry.place import Place
 from rosml.registry.references import Reference
 
-SAID = 8
+OUTPUT_LINES = 8
 """How many lines of each failed test are kept: the last ones, which say why."""
 
 
 @dataclass(frozen=True)
-class Made:
-    """The result of building an image or part.
+class NewImage:
+    """A part or an image in the registry.
 
     Attributes:
         digest: of its manifest.
@@ -55,33 +55,26 @@ class Made:
 
 
 @dataclass(frozen=True)
-class Checked:
+class Verdict:
     """The result of an image's structure tests.
 
     Attributes:
         passed: how many tests passed.
-        failures: the tests that failed.
         unpacked: bytes of the image's root file system; 0 if unknown.
-        versions: of packages and programs found in the image.
-        said: the last lines of each failed test, below its name.
+        versions: of packages and programs in the image.
+        output: the last lines of each failed test, below its name.
     """
 
     passed: int = 0
     failures: tuple[str, ...] = ()
     unpacked: int = 0
     versions: Mapping[str, str] = field(default_factory=dict)
-    said: str = ""
+    output: str = ""
 
 
 @dataclass(frozen=True)
-class Wanted:
-    """What to build.
-
-    Attributes:
-        thing: a part or a ROS image.
-        architecture: to build for.
-        parts, packages: of an image, as for `Maker.build_image`.
-    """
+class BuildRequest:
+    """A part or a ROS image to build; `parts` and `packages` are those of `Maker.build_image`."""
 
     thing: Image | Part
     architecture: str
@@ -90,16 +83,11 @@ class Wanted:
 
     @property
     def key(self) -> tuple[str, str]:
-        """What it is called in the records."""
         return self.thing.target, self.architecture
 
 
 def require_buildable(image: Image, architecture: str) -> None:
-    """Checks, before anything is set up, that an image can be built for an architecture.
-
-    Raises:
-        RosmlError: a lock is missing, or the image does not exist for the architecture (exit code 2).
-    """
+    """Checks, before anything is set up, that an image can be built for an architecture."""
     # Tags cover all platforms, and need all locks. A build for another platform needs only its own lock.
     native = base_images.native_architecture()
     if missing.on(image, architecture) or (image.unlocked and architecture == native):
@@ -120,54 +108,40 @@ class Maker(Protocol):
     Every method raises RosmlError if it fails.
     """
 
-    def build_part(self, part: Part, architecture: str) -> Made:
+    def build_part(self, part: Part, architecture: str) -> NewImage:
         """Builds a part from its lock, and pushes it."""
 
-    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> Made:
+    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> NewImage:
         """Builds a ROS image, and pushes it.
 
         Args:
-            image: the ROS image.
-            architecture: to build for.
             parts: digest of the image below it, by target; none for the first component, which starts from the base
                 image.
             packages: the state of the package repositories; empty if the image does not depend on any.
         """
 
-    def build_together(self, wanted: Sequence[Wanted]) -> None:
-        """Builds and describes ROS images and parts that need nothing of each other, all at once. `build_part` and `build_image` then find
-        them.
+    def build_together(self, requests: Sequence[BuildRequest]) -> None:
+        """Builds and describes ROS images and parts that need nothing of each other, all at once.
 
-        If one of them cannot be built, `build_part` or `build_image` says so.
+        `build_part` and `build_image` then return them. If one of them cannot be built, these methods raise the error.
         """
 
     def describe(self, thing: Image | Part, digest: str) -> str:
-        """Attaches to a pushed ROS image or part what belongs beside it: list of files, facts, SBOM. What is there stays.
-        Gives the digest of the SBOM.
-
-        Args:
-            thing: the ROS image or part.
-            digest: of its manifest.
-        """
+        """Attaches the list of files, the facts and the SBOM to a pushed ROS image or part. Returns the SBOM's digest."""
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
-        """Joins a ROS image and parts in the registry; gives the digest of the manifest.
+        """Joins a ROS image and parts in the registry. Returns the digest of the manifest.
 
         Args:
-            image: the joined image.
-            architecture: to join for.
             parts: digests by target: first the ROS image, then the parts.
         """
 
     def test(
         self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
-    ) -> Checked:
+    ) -> Verdict:
         """Runs structure tests of an image. Failed tests are no error.
 
         Args:
-            image: the image.
-            architecture: to test on.
-            digest: of the image's manifest.
             parts: digests of the images and parts below it, by target.
             names: of the tests' files.
         """
@@ -178,10 +152,7 @@ class BuildKitMaker:
     """Builds and tests in the builder, and joins in the registry.
 
     Attributes:
-        services: the builder and the registry of this checkout.
-        image_set: all that the matrix describes.
         place: where images go.
-        say: prints a line of progress.
         force: whether to build without the builder's cache.
         forecast: the image set with measured sizes; the matrix's sizes count if None.
     """
@@ -192,37 +163,35 @@ class BuildKitMaker:
     say: Callable[[str], None]
     force: bool = False
     forecast: ImageSet | None = None
-    _there: set[str] = field(default_factory=set)  # names of the parts and targets that the builder has
+    _present: set[str] = field(default_factory=set)  # names of the parts and targets that the builder has
     _pushed: dict[tuple[str, str], tuple[str, str]] = field(default_factory=dict)
-    """The base and the digest of what `build_together` made, by target and architecture."""
+    """The base image and the digest of each thing that `build_together` built, by target and architecture."""
     _sboms: dict[str, str] = field(default_factory=dict)
-    """Digests of the SBOMs of what `build_together` made, by digest of the manifest."""
+    """Digests of the SBOMs that `build_together` attached, by digest of the manifest."""
 
-    def build_part(self, part: Part, architecture: str) -> Made:
-        """Builds a part from its lock."""
-        start, digest = self._push(Wanted(part, architecture))
-        return Made(digest, base=start, sbom=self._describe(part, digest))
+    def build_part(self, part: Part, architecture: str) -> NewImage:
+        start, digest = self._push(BuildRequest(part, architecture))
+        return NewImage(digest, base=start, sbom=self._describe(part, digest))
 
-    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> Made:
-        """Builds a ROS image on the image below it, which it takes from the registry."""
-        start, digest = self._push(Wanted(image, architecture, parts, packages))
-        return Made(digest, parts, packages, "" if parts else start, self._describe(image, digest))
+    def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> NewImage:
+        start, digest = self._push(BuildRequest(image, architecture, parts, packages))
+        return NewImage(digest, parts, packages, "" if parts else start, self._describe(image, digest))
 
-    def build_together(self, wanted: Sequence[Wanted]) -> None:
+    def build_together(self, requests: Sequence[BuildRequest]) -> None:
         """Builds what one call can build: with the same values of the bake file's variables, such as the base images."""
         values: dict[str, str] = {}
         calls: dict[tuple[str, str], tuple[str, buildx.Bake]] = {}
-        for one in wanted:
+        for request in requests:
             try:
-                start, call = self._call(one)
-            except RosmlError:  # said when its turn comes
+                start, call = self._call(request)
+            except RosmlError:  # its own call raises it again
                 continue
             if all(values.get(key, value) == value for key, value in call.variables.items()):
                 values |= call.variables
-                calls[one.key] = start, call
+                calls[request.key] = start, call
         if len(calls) < 2:
             return
-        self._make_room_for(*(one for one in wanted if one.key in calls))
+        self._make_room_for(*(request for request in requests if request.key in calls))
         targets = [target for target, _ in calls]
         self.say(f"build {listed(targets)} at once")
         file = write_excerpt(self.services, self.image_set, *targets)
@@ -234,52 +203,50 @@ class BuildKitMaker:
             return
         self._pushed |= {key: (start, digests[call.target]) for key, (start, call) in calls.items()}
         images = [
-            (self.place.path(repository_of(one.thing)), self._pushed[one.key][1]) for one in wanted if one.key in calls
+            (self.place.path(repository_of(request.thing)), self._pushed[request.key][1])
+            for request in requests
+            if request.key in calls
         ]
         with suppress(RosmlError):  # `_describe` tries each alone, and says why it fails
             self._sboms |= contents.attach(self.services, self.image_set, self.place.client, images, self.say)
 
-    def _push(self, wanted: Wanted) -> tuple[str, str]:
-        """Builds and pushes a part or an image, unless that was done together with others. Gives the reference of its base image and
-        its digest."""
-        if made := self._pushed.pop(wanted.key, None):
-            return made
-        start, call = self._call(wanted)
-        self._make_room_for(wanted)
+    def _push(self, request: BuildRequest) -> tuple[str, str]:
+        """Builds and pushes a part or an image, unless `build_together` did. Returns its base image and its digest."""
+        if pair := self._pushed.pop(request.key, None):
+            return pair
+        start, call = self._call(request)
+        self._make_room_for(request)
         _, metadata = buildx.run(self.services, call)
         return start, pushed(call, metadata)
 
-    def _call(self, wanted: Wanted) -> tuple[str, buildx.Bake]:
+    def _call(self, request: BuildRequest) -> tuple[str, buildx.Bake]:
         """The call that builds and pushes a part or an image, and the reference of its base image."""
-        if isinstance(wanted.thing, Image):
-            start, call = self._call_of_image(wanted.thing, wanted)
+        if isinstance(request.thing, Image):
+            start, call = self._call_of_image(request.thing, request)
         else:
-            prefix, platforms = str(self.place), [self._platform(wanted.architecture)]
-            under, call = parts.bake(
-                self.services, self.image_set, wanted.thing, self.say, prefix, platforms, self.force
-            )
-            start = under.reference
-        return start, pushing(call, self.place.reference(repository_of(wanted.thing)))
+            builder = PartBuilder(self.services, self.image_set, str(self.place), self.say, self.force)
+            assembler, call = builder.bake(request.thing, [self._platform(request.architecture)])
+            start = assembler.reference
+        return start, pushing(call, self.place.reference(repository_of(request.thing)))
 
-    def _call_of_image(self, image: Image, wanted: Wanted) -> tuple[str, buildx.Bake]:
-        architecture, packages = wanted.architecture, wanted.packages
+    def _call_of_image(self, image: Image, request: BuildRequest) -> tuple[str, buildx.Bake]:
+        architecture, packages = request.architecture, request.packages
         self._require_builder(architecture)
-        given = self.variables(image, architecture, package_state.ros_date(packages))
-        given |= {"DIGESTS": json.dumps(wanted.parts)}
+        values = self.variables(image, architecture, package_state.ros_date(packages))
+        values |= {"DIGESTS": json.dumps(request.parts)}
         sets = [f"{image.target}.tags="]
         # The first component is built with its parent, the essentials, which are packages of the operating system.
-        installing = [image.target] if wanted.parts else [image.parent, image.target]
+        installing = [image.target] if request.parts else [image.parent, image.target]
         if self.force:
             sets += [f"{target}.no-cache=true" for target in installing]
         elif packages:  # makes the builder install the packages again after they moved, which it cannot know itself
             folder = self._changes_with(image, packages)
             sets += [f"{target}.contexts.upstream={folder}" for target in installing]
-        bake_file = write_excerpt(self.services, self.image_set, image.target)
+        file = write_excerpt(self.services, self.image_set, image.target)
         name = f"build-{image.target}-{architecture}"
-        return base(image, given), buildx.Bake(image.target, name, bake_file, tuple(sets), given, shares=buildx.IMAGES)
+        return base(image, values), buildx.Bake(image.target, name, file, tuple(sets), values, shares=buildx.IMAGES)
 
     def describe(self, thing: Image | Part, digest: str) -> str:
-        """Has the builder list what is in a pushed ROS image or part, and attaches that."""
         self._make_room(thing.disk.unpacked + thing.disk.compressed, thing.target)
         return self._describe(thing, digest)
 
@@ -294,51 +261,50 @@ class BuildKitMaker:
 
     def test(
         self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
-    ) -> Checked:
+    ) -> Verdict:
         """Tests an image in a root file system of the layers in its manifest.
 
         The builder takes a ROS image by its digest. It joins a joined image from the same parts by their digests. The
         layers are the same, and the builder needs to unpack each part only once, not for each image.
         """
         self._require_builder(architecture)
-        manifest = self.place.client.manifest(self.place.path(image.repository), digest)
+        path = self.place.path(image.repository)
+        manifest = self.place.client.manifest(path, digest)
         if manifest is None:
             raise RosmlError(f"{image.target} is not in the registry any more", "run it again")
-        sizes = [layer.size for layer in manifest.layers]
         if image.stack:
             self._require_same_layers(image, parts, manifest)
         digests = self._digests(parts) if image.stack else {image.target: digest}
-        given = self.variables(image, architecture) | {"DIGESTS": json.dumps(digests)}
+        values = self.variables(image, architecture) | {"DIGESTS": json.dumps(digests)}
         file = write_excerpt(self.services, self.image_set, image.target, image.test_target)
-        reference = self.place.reference(image.repository, digest)
-        of_parts = zip(image.parts, sizes[-len(image.parts) :], strict=False)
-        size = sum(size for part, size in of_parts if part in image.budgeted)
-        room = disk.tested_mb(self._sizes, image, self._there)
+        room = disk.tested_mb(self._sizes, image, self._present)
         self._make_room(room, *image.parts, image.parent, *([] if image.stack else [image.target]))
-        config = self.place.client.config(self.place.path(image.repository), manifest).content
-        report, folder = structure_tests.run(self.services, image, architecture, config, file, given, names, size)
+        config = self.place.client.config(path, manifest).content
+        subject = structure_tests.Subject(image, architecture, config, _budgeted_bytes(image, manifest))
+        report, folder = structure_tests.run(self.services, subject, file, values, names)
         failures = tuple(f"{outcome.file}: {outcome.name}" for outcome in report.failed)
         if failures:
             self.say(
                 f"{len(failures)} of {len(report.outcomes)} structure tests of {image.target} failed; it gets no tag\n"
-                f"{report.failures()}\n  all reports: {folder}\n  the image that failed: {reference}"
+                f"{report.failures()}\n  all reports: {folder}\n"
+                f"  the image that failed: {self.place.reference(image.repository, digest)}"
             )
-        return Checked(report.passed, failures, report.unpacked, report.versions, report.failures(SAID))
+        return Verdict(report.passed, failures, report.unpacked, report.versions, report.failures(OUTPUT_LINES))
 
     def variables(self, image: Image, architecture: str, date: str = "") -> dict[str, str]:
         """Variables of the bake file for an image; see `builds/variables.py`."""
-        return variables(self.services, self.image_set, image, architecture, str(self.place), self.say, date)
+        values = variables(self.services, self.image_set, image, architecture, str(self.place))
+        return values | sync_dates(self.services, self.image_set, image.distribution, self.say, date)
 
     @property
     def _sizes(self) -> ImageSet:
         return self.forecast or self.image_set
 
-    def _make_room_for(self, *wanted: Wanted) -> None:
-        """Makes room to build parts and ROS images."""
+    def _make_room_for(self, *requests: BuildRequest) -> None:
         needed, coming = 0, set[str]()
-        for thing in (one.thing for one in wanted):
+        for thing in (request.thing for request in requests):
             if isinstance(thing, Image):
-                needed += disk.needed_mb(self._sizes, thing, self._there)
+                needed += disk.needed_mb(self._sizes, thing, self._present)
                 coming |= {thing.parent, thing.target}
             else:
                 needed += disk.part_mb(thing)
@@ -346,15 +312,10 @@ class BuildKitMaker:
         self._make_room(needed, *coming)
 
     def _make_room(self, needed: int, *coming: str) -> None:
-        """Makes room for a build.
-
-        Args:
-            needed: megabytes.
-            coming: names of the parts and targets that the builder will have after it.
-        """
+        """Makes room of some megabytes for a build, after which the builder has the `coming` parts and targets."""
         if disk.make_room(self.services, needed, self.say):
-            self._there.clear()
-        self._there.update(coming)
+            self._present.clear()
+        self._present.update(coming)
 
     @cached_property
     def _joiner(self) -> Joiner:
@@ -393,18 +354,20 @@ class BuildKitMaker:
 
     def _digests(self, parts: Mapping[str, str]) -> dict[str, str]:
         """Digests by name, as the bake file's variable DIGESTS needs them."""
-        known = {part.target: part.name for part in self.image_set.parts}
-        return {known.get(target, target): digest for target, digest in parts.items()}
+        part_names = {part.target: part.name for part in self.image_set.parts}
+        return {part_names.get(target, target): digest for target, digest in parts.items()}
 
     def _require_same_layers(self, image: Image, parts: Mapping[str, str], manifest: Manifest) -> None:
-        """Checks that a joined image has exactly the layers of its parts, since the tests use these.
-
-        Raises:
-            RosmlError: it has other layers.
-        """
+        """Checks that a joined image has exactly the layers of its parts, since the tests use these."""
         layers: list[str] = []
         for target, digest in parts.items():
-            found = self.place.client.manifest(self.place.path(self._repositories[target]), digest)
-            layers += [layer.digest for layer in found.layers] if found else []
+            part = self.place.client.manifest(self.place.path(self._repositories[target]), digest)
+            layers += [layer.digest for layer in part.layers] if part else []
         if layers != [layer.digest for layer in manifest.layers]:
             raise RosmlError(f"{image.target} does not consist of its parts' layers", "join it again: --force")
+
+
+def _budgeted_bytes(image: Image, manifest: Manifest) -> int:
+    """Bytes of the parts that count for an image's budget: each part is one of its last layers."""
+    sizes = [layer.size for layer in manifest.layers][-len(image.parts) :]
+    return sum(size for part, size in zip(image.parts, sizes, strict=False) if part in image.budgeted)

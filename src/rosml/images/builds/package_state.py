@@ -38,8 +38,7 @@ _OF_AN_ARCHIVE = re.compile(r"\S+ \S+ [0-9a-f]{16}")
 
 @dataclass(frozen=True)
 class Release:
-    """What the Release file of a source says. The date does not count: it changes several times a day, without other
-    changes.
+    """A Release file without its date, which changes several times a day, without other changes.
 
     Attributes:
         origin: whose packages these are, as one word, such as debian.
@@ -55,26 +54,18 @@ def state(services: Services, matrix: Matrix, distribution: str, environ: Mappin
     system's lists of packages, or both; empty if there is neither.
 
     It is the same on all architectures, because an archive and its ports have the same Release files.
-
-    Raises:
-        RosmlError: a repository does not answer, or gives something else; or the apt sources of the base image cannot
-            be read.
     """
     source = apt_repository.of(matrix, distribution, environ)
-    found = [sync.published(source, environ) if source else "", _archives(services, matrix, distribution, environ)]
-    return SEPARATOR.join(filter(None, found))
+    states = [sync.published(source, environ) if source else "", _archives(services, matrix, distribution, environ)]
+    return SEPARATOR.join(filter(None, states))
 
 
 def lacking(
-    services: Services, matrix: Matrix, distribution: str, architecture: str, wanted: Iterable[str]
+    services: Services, matrix: Matrix, distribution: str, architecture: str, packages: Iterable[str]
 ) -> list[str]:
-    """The wanted packages that ROS's repository lacks; none if the packages come from the operating system.
-
-    Raises:
-        RosmlError: the repository does not answer.
-    """
+    """The packages that ROS's repository lacks; none if they come from the operating system."""
     source = apt_repository.of(matrix, distribution)
-    return sync.lacking(services.state, source, architecture, wanted) if source else []
+    return sync.lacking(services.state, source, architecture, packages) if source else []
 
 
 def ros_date(state: str) -> str:
@@ -85,12 +76,12 @@ def ros_date(state: str) -> str:
 
 def _archives(services: Services, matrix: Matrix, distribution: str, environ: Mapping[str, str]) -> str:
     sources = _sources(services, matrix, distribution)
-    found = [(source, said) for source in sources if (said := release(source, environ))]
-    if not found:
+    releases = [(source, item) for source in sources if (item := release(source, environ))]
+    if not releases:
         return ""
-    first, said = found[0]
-    digest = hashlib.sha256(" ".join(said.lists for _, said in found).encode()).hexdigest()[:16]
-    return f"{said.origin} {first.suite} {digest}"
+    source, first = releases[0]
+    digest = hashlib.sha256(" ".join(item.lists for _, item in releases).encode()).hexdigest()[:16]
+    return f"{first.origin} {source.suite} {digest}"
 
 
 def _sources(services: Services, matrix: Matrix, distribution: str) -> tuple[Source, ...]:
@@ -101,35 +92,27 @@ def repositories(services: Services, matrix: Matrix, distribution: str, state: s
     """The addresses of the repositories in a state, with the state of each. The operating system's archives share one
     state. They are left out if the apt sources of the base image cannot be read any more."""
     source, ros = apt_repository.of(matrix, distribution), ros_date(state)
-    found = {source.address: ros} if source and ros else {}
+    states = {source.address: ros} if source and ros else {}
     if archives := state.removeprefix(ros).removeprefix(SEPARATOR):
         with contextlib.suppress(RosmlError):
-            found |= {release_file.shown(s.address): archives for s in _sources(services, matrix, distribution)}
-    return list(found.items())
+            states |= {release_file.shown(s.address): archives for s in _sources(services, matrix, distribution)}
+    return list(states.items())
 
 
 def release(source: Source, environ: Mapping[str, str]) -> Release | None:
-    """Reads the Release file of a source; None if apt installs nothing from there on its own.
-
-    Raises:
-        RosmlError: the source does not answer, or gives something else; the mirror is no address (exit code 2).
-    """
+    """Reads the Release file of a source; None if apt installs nothing from there on its own."""
     url = source.release(release_file.address(source.address, environ.get(MIRROR, ""), MIRROR))
     return described(source, release_file.read(url, RELEASE_BYTES, MIRROR), url)
 
 
 def described(source: Source, text: str, url: str) -> Release | None:
-    """Parses the text of a Release file; None if apt installs nothing from there on its own.
-
-    Raises:
-        RosmlError: the text names no lists of packages.
-    """
+    """Parses the text of a Release file; None if apt installs nothing from there on its own."""
     if _NOT_AUTOMATIC.search(text):
         return None
-    wanted = {f"{part}/binary-{name}/Packages" for part in source.components for name in ARCHITECTURES}
-    wanted |= {"Packages", "./Packages"} if source.flat else set()
-    found = sorted((path, digest) for digest, path in _LISTED.findall(text) if path in wanted)
-    if not found:
+    paths = {f"{part}/binary-{name}/Packages" for part in source.components for name in ARCHITECTURES}
+    paths |= {"Packages", "./Packages"} if source.flat else set()
+    lists = sorted((path, digest) for digest, path in _LISTED.findall(text) if path in paths)
+    if not lists:
         raise RosmlError(f"{release_file.shown(url)} names no lists of packages", "check the mirror")
     origin = _ORIGIN.search(text)
-    return Release("-".join(origin[1].lower().split()) if origin else "apt", " ".join(digest for _, digest in found))
+    return Release("-".join(origin[1].lower().split()) if origin else "apt", " ".join(digest for _, digest in lists))

@@ -8,7 +8,7 @@ the published one, and the result says so.
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
@@ -23,23 +23,22 @@ from rosml.images.join.layers import platform as platform_of
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 from rosml.machine import buildx
-from rosml.machine.services import NAMESPACE, Services
+from rosml.machine.services import Services
 from rosml.registry import references
 from rosml.registry.client import Registry
+from rosml.registry.references import Reference
 
 
 @dataclass(frozen=True)
-class Assembled:
+class BuiltPart:
     """A part in the registry.
 
     Attributes:
-        name: such as `torch-cu128-py311`.
         reference: with the digest, and with the tag if that was moved.
         digest: of the index, or of the manifest if there is one platform.
         layers: digest and size in bytes of the part's one layer, by platform.
         assembled_on: the base image, in words.
         bytecode: the version of Python that compiled it; empty if there is no bytecode.
-        seconds: wall time.
     """
 
     name: str
@@ -51,16 +50,11 @@ class Assembled:
     seconds: float
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return asdict(self)
 
 
-def find(image_set: ImageSet, name: str) -> Part:
-    """The part with a name or bake target.
-
-    Raises:
-        RosmlError: there is no such part (exit code 2).
-    """
+def by_name(image_set: ImageSet, name: str) -> Part:
+    """The part with a name or bake target; exit code 2 if there is none."""
     part = image_set.part_by_name.get(name.removeprefix("part-"))
     if part is None:
         text = unknown("part", name, image_set.part_by_name)
@@ -68,33 +62,73 @@ def find(image_set: ImageSet, name: str) -> Part:
     return part
 
 
-def publish(
-    services: Services,
-    image_set: ImageSet,
-    part: Part,
-    say: Callable[[str], None],
-    namespace: str = NAMESPACE,
-    again: bool = False,
-    platform: str = "",
-) -> Assembled:
-    """Builds a part for all architectures whose lock is up to date. Moves its tag if these are all its architectures.
+@dataclass(frozen=True)
+class PartBuilder:
+    """Builds parts into the repository `part` of a registry.
 
-    Args:
-        services: registry and builder.
-        image_set: all that the matrix describes.
-        part: the part to build.
+    Attributes:
+        prefix: the registry, and the path before `part`.
         say: prints a line of progress.
-        namespace: first part of the repository's name.
         again: build without the builder's cache. The same inputs give the same digests.
-        platform: build only for this one. Then no tag moves.
-
-    Raises:
-        RosmlError: a lock is missing, the base image is not available, a service is down, or the build failed.
     """
-    started = time.monotonic()
+
+    services: Services
+    image_set: ImageSet
+    prefix: str
+    say: Callable[[str], None]
+    again: bool = False
+
+    @property
+    def _place(self) -> Reference:
+        return references.parse(f"{self.prefix}/part")
+
+    def publish(self, part: Part, platform: str = "") -> BuiltPart:
+        """Builds a part for all architectures whose lock is up to date. Moves its tag if these are all its architectures.
+
+        Args:
+            platform: build only for this one. Then no tag moves.
+        """
+        started = time.monotonic()
+        platforms = _platforms(part, platform)
+        base, call = self.bake(part, platforms)
+        _, digest = push_by_digest(self.services, call, f"{self.prefix}/part")
+        reference = f"{self.prefix}/part@{digest}"
+        with Registry(self.services.registry, ca_bundle=self.services.ca_bundle) as client:
+            layers = dict(_layers(client, self._place.repository, digest, platforms))
+            if len(platforms) == len(part.platforms):  # a tag is for all platforms
+                client.tag(self._place.repository, digest, part.name)
+                reference = f"{self.prefix}/part:{part.name}@{digest}"
+        python = base.python if part.python != ANY_PYTHON else ""
+        seconds = time.monotonic() - started
+        return BuiltPart(part.name, reference, digest, layers, _built_on(part, base), python, seconds)
+
+    def bake(self, part: Part, platforms: Sequence[str]) -> tuple[base_images.Assembler, buildx.Bake]:
+        """The call that builds a part for some platforms, and the image that it is built on.
+
+        Raises:
+            RosmlError: the base image is not available; the part is restricted, and may not go there (exit code 2).
+        """
+        kinds = restricted.of(self.image_set.matrix, [part.kind])
+        declared = Declared.of(self.image_set.matrix)
+        if notice := restricted.require(kinds, part.name, self._place.host, self._place.repository, declared):
+            self.say(notice)
+        base = base_images.assembler(self.services, self.image_set.matrix.operating_systems, part.os, part.python)
+        file = write_excerpt(self.services, self.image_set, part.target)
+        sets = [f"{part.target}.tags=", f"{part.target}.platform={','.join(platforms)}"]
+        if not base.python and part.python != ANY_PYTHON:
+            sets.append(f"{part.target}.args.BYTECODE=none")
+        if self.again:
+            sets.append(f"{part.target}.no-cache=true")
+        variables = {"REGISTRY": self.prefix, names.os_variable(part.os): f"docker-image://{base.reference}"}
+        self.say(f"part {part.name} for {', '.join(platforms)}, built on {_built_on(part, base)}")
+        return base, buildx.Bake(part.target, part.target, file, tuple(sets), variables, shares=buildx.IMAGES)
+
+
+def _platforms(part: Part, platform: str) -> list[str]:
+    """The platforms of a part that have a lock, or the one that the user chose."""
     if platform and platform not in part.platforms:
-        known = ", ".join(part.platforms)
-        raise RosmlError(f"part {part.name} is for {known}", f"choose one of them, not {platform}", exit_code=2)
+        text = f"part {part.name} is for {', '.join(part.platforms)}"
+        raise RosmlError(text, f"choose one of them, not {platform}", exit_code=2)
     platforms = [
         name
         for name, lock in zip(part.platforms, part.locks, strict=True)
@@ -103,106 +137,36 @@ def publish(
     if not platforms:
         text = f"part {part.name} has no lock for the present matrix.yaml: {listed(part.unlocked)}"
         raise RosmlError(text, "run 'rosml locks'")
-    prefix = f"{services.registry}/{namespace}"
-    repository = f"{prefix}/part"
-    base, digest = push(services, image_set, part, say, prefix, platforms, again)
-    reference = f"{repository}@{digest}"
-    with Registry(services.registry, ca_bundle=services.ca_bundle) as client:
-        layers = dict(_layers(client, f"{namespace}/part", digest, platforms))
-        if len(platforms) == len(part.platforms):  # a tag is for all platforms
-            client.tag(f"{namespace}/part", digest, part.name)
-            reference = f"{repository}:{part.name}@{digest}"
-    python = base.python if part.python != ANY_PYTHON else ""
-    said = _said(part, base)
-    return Assembled(part.name, reference, digest, layers, said, python, time.monotonic() - started)
+    return platforms
 
 
-def push(
-    services: Services,
-    image_set: ImageSet,
-    part: Part,
-    say: Callable[[str], None],
-    prefix: str,
-    platforms: list[str],
-    again: bool = False,
-) -> tuple[base_images.Assembler, str]:
-    """Builds a part for some platforms, and pushes it by digest into the repository `part` below a prefix.
-
-    Returns:
-        The image that it was built on, and the digest of the index; of the manifest, if there is one platform.
-
-    Raises:
-        RosmlError: the base image is not available, or the build failed; the part is restricted, and may not go there (exit code 2).
-    """
-    base, call = bake(services, image_set, part, say, prefix, platforms, again)
-    _, digest = push_by_digest(services, call, f"{prefix}/part")
-    return base, digest
-
-
-def bake(
-    services: Services,
-    image_set: ImageSet,
-    part: Part,
-    say: Callable[[str], None],
-    prefix: str,
-    platforms: list[str],
-    again: bool = False,
-) -> tuple[base_images.Assembler, buildx.Bake]:
-    """The call that builds a part, as in `push`, and the image that it is built on.
-
-    Raises:
-        RosmlError: the base image is not available; the part is restricted, and may not go there (exit code 2).
-    """
-    place = references.parse(f"{prefix}/part")
-    kinds = restricted.of(image_set.matrix, [part.kind])
-    told = restricted.require(kinds, part.name, place.host, place.repository, Declared.of(image_set.matrix))
-    if told:
-        say(told)
-    base = base_images.assembler(services, image_set.matrix.operating_systems, part.os, part.python)
-    file = write_excerpt(services, image_set, part.target)
-    sets = [
-        f"{part.target}.tags=",
-        f"{part.target}.platform={','.join(platforms)}",
-    ]
-    if not base.python and part.python != ANY_PYTHON:
-        sets.append(f"{part.target}.args.BYTECODE=none")
-    if again:
-        sets.append(f"{part.target}.no-cache=true")
-    variables = {"REGISTRY": prefix, names.os_variable(part.os): f"docker-image://{base.reference}"}
-    say(f"part {part.name} for {', '.join(platforms)}, built on {_said(part, base)}")
-    return base, buildx.Bake(part.target, part.target, file, tuple(sets), variables, shares=buildx.IMAGES)
-
-
-def _said(part: Part, base: base_images.Assembler) -> str:
-    """The base image that a part is built on, in words."""
+def _built_on(part: Part, base: base_images.Assembler) -> str:
     without = f", without bytecode: it has no Python {part.python}"
     return base.reference + ("" if base.python or part.python == ANY_PYTHON else without)
 
 
 def _layers(
-    registry: Registry, repository: str, digest: str, platforms: list[str]
+    registry: Registry, repository: str, digest: str, platforms: Sequence[str]
 ) -> Iterator[tuple[str, tuple[str, int]]]:
-    """The layer of each platform, as digest and size in bytes.
-
-    Raises:
-        RosmlError: the manifest in the registry is not that of a part.
-    """
-    found = registry.manifest(repository, digest)
-    images = {platforms[0]: found}  # one platform only
-    if found and found.is_index:
-        images = {platform_of(entry.platform): registry.manifest(repository, entry.digest) for entry in found.members}
-    for platform, manifest in images.items():
-        if manifest is None or len(manifest.layers) != 1:
+    """Digest and size in bytes of each platform's layer."""
+    manifest = registry.manifest(repository, digest)
+    images = {platforms[0]: manifest}  # one platform only
+    if manifest and manifest.is_index:
+        images = {
+            platform_of(entry.platform): registry.manifest(repository, entry.digest) for entry in manifest.members
+        }
+    for platform, image in images.items():
+        if image is None or len(image.layers) != 1:
             text = f"{registry.host}/{repository}@{digest} is not a part with one layer for each platform"
             raise RosmlError(text, "run it again")
-        yield platform, (manifest.layers[0].digest, manifest.layers[0].size)
+        yield platform, (image.layers[0].digest, image.layers[0].size)
 
 
-def markdown(found: Iterable[Assembled]) -> str:
+def markdown(parts: Iterable[BuiltPart]) -> str:
     """A table of parts with their digests, for docs/digests.md."""
     lines = ["| part | platform | layer | MB | bytecode |", "| --- | --- | --- | ---: | --- |"]
-    for item in found:
-        for platform, (digest, size) in item.layers.items():
-            bytecode = item.bytecode or ("none" if "-py" in item.name else "no Python in it")
-            lines.append(f"| `{item.name}` | {platform} | `{digest}` | {size / 1e6:.1f} | {bytecode} |")
+    for part in parts:
+        for platform, (digest, size) in part.layers.items():
+            bytecode = part.bytecode or ("none" if "-py" in part.name else "no Python in it")
+            lines.append(f"| `{part.name}` | {platform} | `{digest}` | {size / 1e6:.1f} | {bytecode} |")
     return "\n".join(lines) + "\n"

@@ -29,31 +29,20 @@ def write_excerpt(services: Services, image_set: ImageSet, target: str, *others:
 
 
 def pushing(call: buildx.Bake, repository: str) -> buildx.Bake:
-    """The call that also pushes its target into a repository by digest, without a tag, so that nobody sees it yet."""
+    """The call that also pushes its target into a repository by digest. Without a tag, nobody sees it yet."""
     output = f"{call.target}.output=type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"
     return replace(call, sets=(output, *call.sets))
 
 
 def push_by_digest(services: Services, call: buildx.Bake, repository: str) -> tuple[BuildProgress, str]:
-    """Builds a target and pushes it, as `pushing` says.
-
-    Returns:
-        The progress with all steps, and the digest.
-
-    Raises:
-        RosmlError: the build failed, or buildx does not say what it pushed.
-    """
+    """Builds a target and pushes it, as `pushing` says. Returns the progress with all steps, and the digest."""
     call = pushing(call, repository)
     progress, metadata = buildx.run(services, call)
     return progress, pushed(call, metadata)
 
 
 def pushed(call: buildx.Bake, metadata: Mapping[str, str]) -> str:
-    """The digest of what a call pushed, from buildx's facts.
-
-    Raises:
-        RosmlError: buildx does not say it.
-    """
+    """The digest of what a call pushed, from buildx's facts."""
     if digest := metadata.get("containerimage.digest", ""):
         return digest
     raise RosmlError(f"buildx did not say which digest it pushed for {call.target}", "run it again")
@@ -63,15 +52,12 @@ def push_together(services: Services, calls: Sequence[buildx.Bake], file: Path, 
     """Builds and pushes several targets in one call, so that their downloads, installations and uploads overlap.
 
     Args:
-        calls: made by `pushing`. Variables of one name have one value.
+        calls: of `pushing`. Variables of one name have one value.
         file: the bake file of all of them.
         name: the log's name, without its ending.
 
     Returns:
         The digests by target.
-
-    Raises:
-        RosmlError: a build failed, or buildx does not say what it pushed.
     """
     first, *others = calls
     sets = [item for call in calls for item in call.sets]

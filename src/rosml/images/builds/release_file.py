@@ -18,12 +18,8 @@ def address(official: str, mirror: str, variable: str) -> str:
     """The address of a repository, or of its copy on a mirror, which has a folder for each host.
 
     Args:
-        official: address of the repository.
-        mirror: address of the mirror; none if empty.
+        mirror: empty if there is none.
         variable: the variable that names the mirror.
-
-    Raises:
-        RosmlError: the mirror is no address (exit code 2).
     """
     if not mirror:
         return official
@@ -33,7 +29,6 @@ def address(official: str, mirror: str, variable: str) -> str:
 
 
 def read(url: str, limit: int, variable: str) -> str:
-    """The text of a Release file, read as in `fetched`."""
     return fetched(url, limit, variable).decode(errors="replace")
 
 
@@ -41,12 +36,8 @@ def fetched(url: str, limit: int, variable: str) -> bytes:
     """A file of a repository. A user and password in its address are sent, but appear in no message.
 
     Args:
-        url: address of the file.
         limit: how many bytes are read at most.
         variable: the variable that names a mirror.
-
-    Raises:
-        RosmlError: the repository does not answer.
     """
     try:
         with web.client(timeout=SECONDS) as client:
@@ -62,6 +53,5 @@ def fetched(url: str, limit: int, variable: str) -> bytes:
 
 
 def shown(url: str) -> str:
-    """An address without users and passwords. On a mirror, the path contains another address, which may have them,
-    too."""
+    """An address without users and passwords. On a mirror, the path has another address, which may have them, too."""
     return re.sub("/[^/]*@", "/", url)

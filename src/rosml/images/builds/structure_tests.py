@@ -19,20 +19,12 @@ from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 
 LABEL = "io.rosml."
-"""Prefix of our labels about the content of an image."""
+"""The prefix of our labels about the content of an image."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """The outcome of one structure test.
-
-    Attributes:
-        file: of the test.
-        name: of the test.
-        passed: whether it passed.
-        seconds: how long it took.
-        detail: its output.
-    """
+    """The outcome of one structure test; `detail` is its output."""
 
     file: str
     name: str
@@ -41,23 +33,11 @@ class Outcome:
     detail: str = ""
 
 
-def within_budget(budget: int, found: int) -> Outcome:
-    """The test of a size budget.
-
-    Args:
-        budget: how many MB (10^6 bytes) the budgeted parts may have in the registry.
-        found: how many bytes they have.
-    """
-    detail = f"{found / 1e6:.0f} MB; matrix.yaml: disk.budgets allows {budget} MB"
-    return Outcome("size", "the parts keep within their budget", found <= budget * 1_000_000, 0.0, detail)
-
-
 @dataclass(frozen=True)
 class Report:
     """The report of an image's structure tests.
 
     Attributes:
-        outcomes: of all tests.
         unpacked: size of the root file system in bytes; 0 if unknown.
         versions: of packages and programs in the image, as recorded when its parts were built.
     """
@@ -70,18 +50,16 @@ class Report:
         """The failed tests with their output: of each the last `most` lines, or all if that is 0."""
         lines = list[str]()
         for outcome in self.failed:
-            said = outcome.detail.strip().splitlines()[-most:]
-            lines += [f"    {outcome.file}: {outcome.name}", *(f"      {line}" for line in said)]
+            output = outcome.detail.strip().splitlines()[-most:]
+            lines += [f"    {outcome.file}: {outcome.name}", *(f"      {line}" for line in output)]
         return "\n".join(lines)
 
     @property
     def passed(self) -> int:
-        """How many tests passed."""
         return sum(outcome.passed for outcome in self.outcomes)
 
     @property
     def failed(self) -> tuple[Outcome, ...]:
-        """The tests that failed."""
         return tuple(outcome for outcome in self.outcomes if not outcome.passed)
 
 
@@ -133,19 +111,19 @@ def metadata_test(image: Image) -> dict[str, Any]:
 
 
 def flat_config(config: Mapping[str, Any]) -> dict[str, Any]:
-    """The part of an OCI config that container-structure-test's host driver reads.
+    """The part of an OCI config that is tested, for container-structure-test's host driver.
 
-    It has only what is tested: a label that changes with every commit would make the builder run the same tests again.
+    A label that changes with every commit would make the builder run the same tests again.
     """
     inner = config.get("config", {})
-    found = inner.get("Labels") or {}
+    image_labels = inner.get("Labels") or {}
     return {
         "config": {
             "Env": inner.get("Env") or [],
             "Entrypoint": inner.get("Entrypoint") or [],
             "Cmd": inner.get("Cmd") or [],
             "WorkingDir": inner.get("WorkingDir", ""),
-            "Labels": {key: value for key, value in sorted(found.items()) if key.startswith(LABEL)},
+            "Labels": {key: value for key, value in sorted(image_labels.items()) if key.startswith(LABEL)},
         }
     }
 
@@ -157,27 +135,31 @@ def write_metadata(folder: Path, image: Image, config: Mapping[str, Any]) -> Non
     (folder / "config.json").write_text(json.dumps(flat_config(config), indent=1))
 
 
+@dataclass(frozen=True)
+class Subject:
+    """The image under test.
+
+    Attributes:
+        architecture: such as `amd64`.
+        config: of the image in the registry.
+        part_bytes: bytes of the budgeted parts in the registry.
+    """
+
+    image: Image
+    architecture: str
+    config: Mapping[str, Any]
+    part_bytes: int = 0
+
+
 def run(
-    services: Services,
-    image: Image,
-    architecture: str,
-    config: Mapping[str, Any],
-    bake_file: Path,
-    variables: Mapping[str, str],
-    names: tuple[str, ...],
-    parts: int = 0,
+    services: Services, subject: Subject, bake_file: Path, variables: Mapping[str, str], files: tuple[str, ...]
 ) -> tuple[Report, Path]:
     """Runs the structure tests of an image.
 
     Args:
-        services: the builder.
-        image: the image to test.
-        architecture: such as `amd64`.
-        config: its config in the registry, which the tests read.
         bake_file: has the image's test target.
         variables: of the bake file.
-        names: of the tests' files.
-        parts: bytes of the budgeted parts in the registry.
+        files: names of the tests' files.
 
     Returns:
         The report, and the folder with the report of each file.
@@ -185,31 +167,28 @@ def run(
     Raises:
         RosmlError: the tests could not run or left no report, or the disk got full.
     """
-    native = architecture == base_images.native_architecture()
-    folder = services.state / "tests" / (image.target if native else f"{image.target}-{architecture}")
-    metadata, reports, left = folder / "metadata", folder / "report", folder / "report.tar"
-    left.unlink(missing_ok=True)
-    write_metadata(metadata, image, config)
+    image, name = subject.image, subject.image.test_target
+    native = subject.architecture == base_images.native_architecture()
+    folder = services.state / "tests" / (image.target if native else f"{image.target}-{subject.architecture}")
+    metadata, reports, archive = folder / "metadata", folder / "report", folder / "report.tar"
+    archive.unlink(missing_ok=True)
+    write_metadata(metadata, image, subject.config)
     # The builder caches failed runs, too. Another number makes it run the tests again.
     attempts = folder / "failed-attempts"
     attempt = attempts.read_text() if attempts.exists() else "0"
-    name = image.test_target
-    tests = " ".join(names)
     sets = (
         f"{name}.target=test-report",
-        f"{name}.output={exported.output(left)}",
+        f"{name}.output={exported.output(archive)}",
         f"{name}.contexts.metadata={metadata}",
         f"{name}.args.TEST_ATTEMPT={attempt}",
-        f"{name}.args.TESTS={tests}",
+        f"{name}.args.TESTS={' '.join(files)}",
     )
-    call = buildx.Bake(
-        name, f"test-{image.target}-{architecture}", bake_file, sets, dict(variables), shares=buildx.IMAGES
-    )
-    buildx.run(services, call)
-    exported.unpack(left, reports)
-    report = read_report(reports, (*names, "metadata"))
+    log = f"test-{image.target}-{subject.architecture}"
+    buildx.run(services, buildx.Bake(name, log, bake_file, sets, dict(variables), shares=buildx.IMAGES))
+    exported.unpack(archive, reports)
+    report = read_report(reports, (*files, "metadata"))
     if image.budget is not None:
-        report = replace(report, outcomes=(*report.outcomes, within_budget(image.budget, parts)))
+        report = replace(report, outcomes=(*report.outcomes, _size(image.budget, subject.part_bytes)))
     if report.failed:
         attempts.write_text(str(time.time_ns()))
     require_space(report, image.target)
@@ -217,20 +196,20 @@ def run(
 
 
 def require_space(report: Report, target: str) -> None:
-    """Checks that no test failed because the disk was full, which says nothing of the image.
-
-    Raises:
-        RosmlError: one did.
-    """
+    """Checks that no test failed because the disk was full, which says nothing of the image."""
     if any("no space left on device" in outcome.detail.lower() for outcome in report.failed):
         raise RosmlError(f"the disk got full while {target} was tested", buildx.NO_SPACE_REMEDY)
 
 
+def _size(budget: int, part_bytes: int) -> Outcome:
+    """The test of a size budget in MB (10^6 bytes)."""
+    detail = f"{part_bytes / 1e6:.0f} MB; matrix.yaml: disk.budgets allows {budget} MB"
+    return Outcome("size", "the parts keep within their budget", part_bytes <= budget * 1_000_000, 0.0, detail)
+
+
 def read_report(folder: Path, files: tuple[str, ...]) -> Report:
     """Reads the results of the test stage. A file without a report, or without a test, counts as one failure."""
-    outcomes: list[Outcome] = []
-    for file in files:
-        outcomes += _outcomes(folder, file)
+    outcomes = [outcome for file in files for outcome in _outcomes(folder, file)]
     try:
         unpacked = int((folder / "unpacked").read_text().split()[0]) * 1024
     except (OSError, ValueError, IndexError):
@@ -239,7 +218,7 @@ def read_report(folder: Path, files: tuple[str, ...]) -> Report:
 
 
 def _versions(file: Path) -> dict[str, str]:
-    """Versions by name from lines such as `torch 2.10.0`; none if there is no file."""
+    """Versions by name from lines such as `torch 2.10.0`."""
     if not file.is_file():
         return {}
     lines = (line.split(maxsplit=1) for line in file.read_text(errors="replace").split("\n"))
@@ -267,17 +246,17 @@ def _outcomes(folder: Path, file: str) -> list[Outcome]:
         results = _Results.model_validate(content).Results
     except (OSError, ValueError):
         log = folder / f"{file}.log"
-        said = log.read_text(errors="replace")[-2000:] if log.exists() else "did not start"
-        return [Outcome(file, "the test runner", False, 0.0, said)]
+        output = log.read_text(errors="replace")[-2000:] if log.exists() else "did not start"
+        return [Outcome(file, "the test runner", False, 0.0, output)]
     if not results:
         return [Outcome(file, "the test file", False, 0.0, "it holds no test")]
     return [
         Outcome(
             file,
-            result.Name.removeprefix("Command Test: "),
-            result.Pass,
-            result.Duration / 1e9,
-            "\n".join(filter(None, [*(result.Errors or []), result.Stdout, result.Stderr]))[-3000:],
+            test.Name.removeprefix("Command Test: "),
+            test.Pass,
+            test.Duration / 1e9,
+            "\n".join(filter(None, [*(test.Errors or []), test.Stdout, test.Stderr]))[-3000:],
         )
-        for result in results
+        for test in results
     ]

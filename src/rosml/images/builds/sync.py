@@ -28,121 +28,90 @@ NAMES, LINE = 200_000, 1 << 20
 """The most packages of a list, and the most bytes of a line. Debian's own list has 70,000 packages."""
 
 
+_NAME = re.compile(rb"^Package: (\S{1,200})$", re.MULTILINE)
+
+
 def published(source: AptRepository, environ: Mapping[str, str] = os.environ) -> str:
-    """When a repository was last published, such as 2026-11-20T21:14:09Z.
-
-    This does not verify the signature. The build does, and fails if it finds another time.
-
-    Raises:
-        RosmlError: the repository does not answer, or its file has no date.
-    """
+    """When a repository was last published, such as 2026-11-20T21:14:09Z. The build verifies the signature."""
     address = release_file.address(source.address, environ.get(MIRROR, ""), MIRROR)
     url = f"{address}/dists/{source.codename}/InRelease"
     return date_of(release_file.read(url, RELEASE_BYTES, MIRROR), url)
 
 
 def date_of(text: str, url: str) -> str:
-    """When a repository was last published, from the text of its Release file.
-
-    Raises:
-        RosmlError: the file has no date.
-    """
-    found = re.search(r"^Date: (.+)$", text, re.MULTILINE)
+    """When a repository was last published, from the text of its Release file."""
+    date_line = re.search(r"^Date: (.+)$", text, re.MULTILINE)
     try:
-        date = parsedate_to_datetime(found[1] if found else "").astimezone(UTC)
+        date = parsedate_to_datetime(date_line[1] if date_line else "").astimezone(UTC)
         return date.strftime("%Y-%m-%dT%H:%M:%SZ")
     except (ArithmeticError, LookupError, TypeError, ValueError):
         raise RosmlError(f"{release_file.shown(url)} has no date", "check the mirror") from None
 
 
-def lacking(state: Path, source: AptRepository, architecture: str, wanted: Iterable[str]) -> list[str]:
+def lacking(state: Path, source: AptRepository, architecture: str, packages: Iterable[str]) -> list[str]:
     """The packages that a repository lacks for an architecture. Without this check, a build would fail an hour later.
 
     The Release file names the list of packages by its digest, and this machine keeps the list under the digest. If the
     repository has no list in gzip, the result is empty.
-
-    Args:
-        state: folder of this machine's state.
-        source: the repository.
-        architecture: such as `arm64`.
-        wanted: names of packages.
-
-    Raises:
-        RosmlError: the repository does not answer, or its list does not match its Release file.
     """
     address = release_file.address(source.address, os.environ.get(MIRROR, ""), MIRROR)
     suite = f"{address}/dists/{source.codename}"
     release = release_file.read(f"{suite}/InRelease", RELEASE_BYTES, MIRROR)
-    there: set[str] = set()
+    present: set[str] = set()
     for component in source.components:
         path = f"{component}/binary-{architecture}/Packages.gz"
-        found = re.search(rf"^ ([0-9a-f]{{64}}) +\d+ {re.escape(path)}$", release, re.MULTILINE)
-        if found is None:
+        entry = re.search(rf"^ ([0-9a-f]{{64}}) +\d+ {re.escape(path)}$", release, re.MULTILINE)
+        if entry is None:
             return []
-        there |= _names(state / "apt-names" / found[1], f"{suite}/{path}", found[1])
-    return [name for name in wanted if name not in there]
+        present |= _names(state / "apt-names" / entry[1], f"{suite}/{path}", entry[1])
+    return [name for name in packages if name not in present]
 
 
-def _names(kept: Path, url: str, digest: str) -> set[str]:
-    """The names in a list of packages.
-
-    Args:
-        kept: file that keeps the names.
-        url: address of the list.
-        digest: of the list.
-    """
+def _names(cache_file: Path, url: str, digest: str) -> set[str]:
     with contextlib.suppress(OSError, UnicodeDecodeError):
-        return set(kept.read_text(encoding="utf-8").split("\n"))
+        return set(cache_file.read_text(encoding="utf-8").split("\n"))
     packed = release_file.fetched(url, LIST_BYTES, MIRROR)
     if hashlib.sha256(packed).hexdigest() != digest:
         remedy = "run it again: the repository may be in the middle of an update"
         raise RosmlError(f"{release_file.shown(url)} does not match its Release file", remedy)
     try:
-        names = set(_named(archives.unpacked([packed])))
+        names = set(_package_names(archives.unpacked([packed])))
     except ValueError:
-        what = f"{release_file.shown(url)} cannot be unpacked, or is too large"
-        raise RosmlError(what, "check the mirror") from None
-    kept.parent.mkdir(parents=True, exist_ok=True)
-    files.write(kept, "\n".join(sorted(names)))
+        text = f"{release_file.shown(url)} cannot be unpacked, or is too large"
+        raise RosmlError(text, "check the mirror") from None
+    cache_file.parent.mkdir(parents=True, exist_ok=True)
+    files.write(cache_file, "\n".join(sorted(names)))
     return names
 
 
-def _named(pieces: Iterable[bytes]) -> Iterator[str]:
-    """The names in the text of a list of packages.
-
-    Raises:
-        ValueError: the text is damaged, or has more than the limits.
-    """
+def _package_names(pieces: Iterable[bytes]) -> Iterator[str]:
     size = count = 0
     rest = b""
     for piece in pieces:
         size += len(piece)
         text, _, rest = (rest + piece).rpartition(b"\n")
-        found = _NAME.findall(text)
-        count += len(found)
+        packages = _NAME.findall(text)
+        count += len(packages)
         if size > LIST_UNPACKED or len(rest) > LINE or count > NAMES:
             raise ValueError("it is too large")
-        yield from (name.decode(errors="replace") for name in found)
+        yield from (name.decode(errors="replace") for name in packages)
     yield from (name.decode(errors="replace") for name in _NAME.findall(rest))
 
 
-_NAME = re.compile(rb"^Package: (\S{1,200})$", re.MULTILINE)
-
-
 def remember(state: Path, source: AptRepository, when: str) -> None:
-    """Saves when a repository was published, in case that it does not answer later."""
-    known = _known(state) | {f"{source.address} {source.codename}": when}
-    files.write(state / "ros-sync.json", json.dumps(known, indent=2) + "\n")
+    """Saves when a repository was published, in case it does not answer later."""
+    dates = _saved_dates(state) | {f"{source.address} {source.codename}": when}
+    files.write(state / "ros-sync.json", json.dumps(dates, indent=2) + "\n")
 
 
 def remembered(state: Path, source: AptRepository) -> str:
     """The saved date of a repository; empty if there is none."""
-    return _known(state).get(f"{source.address} {source.codename}", "")
+    return _saved_dates(state).get(f"{source.address} {source.codename}", "")
 
 
-def _known(state: Path) -> dict[str, str]:
+def _saved_dates(state: Path) -> dict[str, str]:
     try:
-        found = untrusted.json_value((state / "ros-sync.json").read_bytes())
+        dates = untrusted.json_value((state / "ros-sync.json").read_bytes())
     except (OSError, ValueError):
         return {}
-    return {str(key): str(value) for key, value in found.items()} if isinstance(found, dict) else {}
+    return {str(key): str(value) for key, value in dates.items()} if isinstance(dates, dict) else {}

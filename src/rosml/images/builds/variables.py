@@ -13,38 +13,23 @@ from rosml.images.matrix import names
 from rosml.machine.services import Services
 
 
-def variables(
-    services: Services,
-    image_set: ImageSet,
-    image: Image,
-    architecture: str,
-    prefix: str,
-    say: Callable[[str], None],
-    date: str = "",
-) -> dict[str, str]:
-    """The variables to build or test an image.
+def variables(services: Services, image_set: ImageSet, image: Image, architecture: str, prefix: str) -> dict[str, str]:
+    """The registry, the platform and the base images to build or test an image.
 
     Args:
-        services: of this machine.
-        image_set: all that the matrix describes.
-        image: the image.
-        architecture: to build for.
-        prefix: the registry and the path before the names of repositories.
-        say: prints a line of progress.
-        date: the sync date of ROS's apt repository, which the build requires; if empty, the repository is asked.
-
-    Raises:
-        RosmlError: a base image is not available; there is no such channel of the apt repository (exit code 2).
+        prefix: the registry, and the path before the names of repositories.
     """
-    systems = image_set.matrix.operating_systems
-    wanted = {image.os, image_set.matrix.default.assembler}
-    wanted |= {image_set.part_by_name[name].os for name in image.parts}
-    found = {"REGISTRY": prefix, "PLATFORM": image_set.matrix.architectures[architecture].platform}
-    for name in sorted(wanted):
-        reference = base_images.reference(services, systems, name, architecture)
-        found[names.os_variable(name)] = f"docker-image://{reference}"
-    published = sync_date(services, image_set, image.distribution, say, date)
-    return found | ({"ROS_SYNC_DATES": json.dumps({image.distribution: published})} if published is not None else {})
+    matrix = image_set.matrix
+    systems = {image.os, matrix.default.assembler, *(image_set.part_by_name[name].os for name in image.parts)}
+    references = {
+        names.os_variable(name): base_images.reference(services, matrix.operating_systems, name, architecture)
+        for name in sorted(systems)
+    }
+    return {
+        "REGISTRY": prefix,
+        "PLATFORM": matrix.architectures[architecture].platform,
+        **{variable: f"docker-image://{reference}" for variable, reference in references.items()},
+    }
 
 
 def base(image: Image, variables: dict[str, str]) -> str:
@@ -52,24 +37,24 @@ def base(image: Image, variables: dict[str, str]) -> str:
     return variables[names.os_variable(image.os)].removeprefix("docker-image://")
 
 
+def sync_dates(
+    services: Services, image_set: ImageSet, distribution: str, say: Callable[[str], None], date: str = ""
+) -> dict[str, str]:
+    """The variable with `sync_date`; empty if the distribution's packages come from elsewhere."""
+    published = sync_date(services, image_set, distribution, say, date)
+    return {} if published is None else {"ROS_SYNC_DATES": json.dumps({distribution: published})}
+
+
 def sync_date(
     services: Services, image_set: ImageSet, distribution: str, say: Callable[[str], None], date: str = ""
 ) -> str | None:
-    """The sync date of a distribution: when ROS published the apt repository of its packages. With a new date, the
-    build installs the packages again.
+    """When ROS published the apt repository of a distribution. With a new date, the build installs the packages again.
 
     Args:
-        services: of this machine.
-        image_set: all that the matrix describes.
-        distribution: its name.
-        say: prints a line of progress.
-        date: the sync date, if it is known; if empty, the repository is asked.
+        date: if empty, the repository is asked.
 
     Returns:
         The date; empty if it is unknown; None if the packages come from elsewhere.
-
-    Raises:
-        RosmlError: there is no such channel of the repository (exit code 2).
     """
     source = apt_repository.of(image_set.matrix, distribution)
     if source is None:

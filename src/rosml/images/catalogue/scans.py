@@ -9,7 +9,7 @@ from pydantic import ConfigDict, Field, ValidationError
 from rosml.base.shapes import Shape
 from rosml.images.catalogue.model import Scan, Vulnerability
 from rosml.images.records.store import Entry
-from rosml.images.scan.judge import NAMED
+from rosml.images.scan.judge import RECORDED
 
 
 class _Recorded(Shape):
@@ -34,7 +34,7 @@ def scan_of(entry: Entry) -> Scan | None:
             packages=scan.packages,
             findings=scan.findings,
             failing=tuple(scan.failing),
-            vulnerabilities=tuple(filter(None, map(_vulnerability, scan.vulnerabilities[:NAMED]))),
+            vulnerabilities=tuple(filter(None, map(_vulnerability, scan.vulnerabilities[:RECORDED]))),
         )
     except ValidationError:
         return None

@@ -55,7 +55,6 @@ class Package(_Model):
     """A package of the operating system, with dpkg's own words.
 
     Attributes:
-        provides: Provides.
         depends: Pre-Depends and Depends.
         conflicts: Conflicts and Breaks.
         files: of an app's package, its files in the app's layer, without a slash at the beginning.
@@ -132,43 +131,25 @@ class Facts(_Model):
 
 
 def parse(data: bytes) -> Facts:
-    """The facts in a compressed document.
-
-    Raises:
-        RosmlError: the document is damaged, or too large.
-    """
+    """The facts in a compressed document."""
     try:
         return Facts.model_validate(untrusted.json_value(archives.gunzipped(data, LARGEST), LARGEST))
-    except ValidationError as error:
-        raise RosmlError(f"the facts of an image are damaged: {first_of(error)}", _REMEDY) from None
     except ValueError as error:
-        raise RosmlError(f"the facts of an image are damaged: {error}", _REMEDY) from None
+        reason = first_of(error) if isinstance(error, ValidationError) else error
+        raise RosmlError(f"the facts of an image are damaged: {reason}", _REMEDY) from None
 
 
-def together(found: Iterable[Facts]) -> Facts:
-    """The facts of several images as one, such as of a ROS image and its parts. What is the same is there once."""
-    packages: dict[str, Package] = {}
-    libraries: dict[str, Library] = {}
-    files: dict[str, None] = {}
-    imports: dict[str, Import] = {}
-    asks: dict[str, None] = {}
-    asks_pip: dict[str, None] = {}
-    are_known = True
-    for facts in found:
-        packages |= {item.model_dump_json(): item for item in facts.packages}
-        libraries |= {item.model_dump_json(): item for item in facts.libraries}
-        files |= dict.fromkeys(facts.files)
-        imports |= {item.module: item for item in facts.imports or ()}
-        asks |= dict.fromkeys(facts.asks)
-        asks_pip |= dict.fromkeys(facts.asks_pip)
-        are_known = are_known and facts.imports is not None
+def together(images: Iterable[Facts]) -> Facts:
+    """The facts of several images as one, such as of a ROS image and its parts, without duplicates."""
+    every = list(images)
+    imports = {item.module: item for facts in every for item in facts.imports or ()}
     return Facts.model_construct(
-        packages=[*packages.values()],
-        libraries=[*libraries.values()],
-        files=[*files],
-        imports=[*imports.values()] if are_known else None,
-        asks=[*asks],
-        asks_pip=[*asks_pip],
+        packages=[*{item.model_dump_json(): item for facts in every for item in facts.packages}.values()],
+        libraries=[*{item.model_dump_json(): item for facts in every for item in facts.libraries}.values()],
+        files=[*dict.fromkeys(file for facts in every for file in facts.files)],
+        imports=None if any(facts.imports is None for facts in every) else [*imports.values()],
+        asks=[*dict.fromkeys(name for facts in every for name in facts.asks)],
+        asks_pip=[*dict.fromkeys(name for facts in every for name in facts.asks_pip)],
     )
 
 
@@ -187,13 +168,13 @@ def exports(library: Library, symbol: str) -> bool:
 
 def lacking(symbols: Iterable[str], libraries: Iterable[Library]) -> list[str]:
     """The symbols that no library exports, in order."""
-    wanted = {hashed(symbol): symbol for symbol in symbols}
+    missing = {hashed(symbol): symbol for symbol in symbols}
     for library in libraries:
-        if not wanted:
+        if not missing:
             break
-        for group in wanted.keys() & library.groups:
-            del wanted[group]
-    return sorted(wanted.values())
+        for group in missing.keys() & library.groups:
+            del missing[group]
+    return sorted(missing.values())
 
 
 def hashed(symbol: str) -> str:
@@ -205,19 +186,15 @@ def hashed(symbol: str) -> str:
 
 
 def of(registry: Registry, repository: str, digest: str) -> Facts | None:
-    """The facts that are attached to an image manifest; None if there are none. If several publishers attached some, all count.
-
-    Raises:
-        RosmlError: the registry does not answer, or the facts are damaged.
-    """
+    """The facts that are attached to an image manifest, by all publishers together; None if there are none."""
     digests = sorted({entry["digest"] for entry in registry.referrers(repository, digest, ARTIFACT)})
     if len(digests) > ATTACHED:
         text = f"{registry.host}/{repository}@{digest} has facts from {len(digests)} publishers"
         raise RosmlError(text, "remove those that are not yours")
     artifacts = [artifact for name in digests if (artifact := registry.manifest(repository, name)) and artifact.layers]
     parts = {artifact.layers[0].digest: artifact.layers[0] for artifact in artifacts}
-    found = [parse(registry.part(repository, part, PACKED)) for part in parts.values()]
-    return together(found) if len(found) > 1 else next(iter(found), None)
+    every = [parse(registry.part(repository, part, PACKED)) for part in parts.values()]
+    return together(every) if len(every) > 1 else next(iter(every), None)
 
 
 def components(
@@ -232,25 +209,22 @@ def components(
         annotations: of its entry in its index. Those of a publishing run name the SBOM of each part, which is attached to the part;
             that of `rosml join` has the digest of each part.
         near: further repositories in which parts may be.
-
-    Raises:
-        RosmlError: the registry does not answer.
     """
-    named = [text for name, text in sorted(annotations.items()) if name.startswith(COVERED)]
+    sboms = [text for name, text in sorted(annotations.items()) if name.startswith(COVERED)]
     digests = annotations.get(JOINED, "").split()
-    if not (named or digests) or max(len(named), len(digests)) > COMPONENTS:
+    if not (sboms or digests) or max(len(sboms), len(digests)) > COMPONENTS:
         return []
     prefix = repository.rpartition("/")[0]
     if digests:
         beside = [f"{prefix}/{name}" if prefix else name for name in (names.ROS, PARTS)]
-        found = [_in(registry, dict.fromkeys([*near, *beside, repository]), item) for item in digests]
+        places = [_in(registry, dict.fromkeys([*near, *beside, repository]), item) for item in digests]
     else:
-        found = [_described(registry, prefix, item) for item in named]
-    parts = [item for item in found if item]
+        places = [_described(registry, prefix, item) for item in sboms]
+    parts = [item for item in places if item]
     image = registry.manifest(repository, digest)
     # An index that was made after a part changed lacks the annotation of that part.
     layers = sorted(layer.digest for _, part in parts for layer in part.layers)
-    whole = image and len(parts) == len(found) and layers == sorted(layer.digest for layer in image.layers)
+    whole = image and len(parts) == len(places) and layers == sorted(layer.digest for layer in image.layers)
     return [(path, part.digest) for path, part in parts] if whole else []
 
 
@@ -273,19 +247,14 @@ def _described(registry: Registry, prefix: str, text: str) -> tuple[str, Manifes
 
 
 def of_member(registry: Registry, repository: str, digest: str, annotations: Mapping[str, str]) -> Facts | None:
-    """The facts of a base image: those that are attached to it, or those of its ROS image and parts together; None if one of these has
-    none.
+    """The facts of a base image: those that are attached to it, or those of its ROS image and parts together.
 
-    Args:
-        digest: of the image's manifest.
-        annotations: of its entry in its index.
-
-    Raises:
-        RosmlError: the registry does not answer, or the facts are damaged.
+    Returns:
+        None if one of these has none: it would look like an image that lacks what the part has.
     """
-    if found := of(registry, repository, digest):
-        return found
+    if attached := of(registry, repository, digest):
+        return attached
     places = components(registry, repository, digest, annotations)
     parts = [of(registry, *place) for place in places if place[1] != digest]
-    known = [facts for facts in parts if facts]
-    return together(known) if known and len(known) == len(parts) else None
+    present = [facts for facts in parts if facts]
+    return together(present) if present and len(present) == len(parts) else None

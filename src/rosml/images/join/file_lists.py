@@ -21,8 +21,7 @@ ARTIFACT = "application/vnd.rosml.files.v1"
 MEDIA_TYPE = "application/vnd.rosml.files.v1+gzip"
 
 LARGEST = 64 << 20
-"""Most bytes of a list, unpacked, and of the names of all folders in it. The list of the largest image has some 20
-MB."""
+"""Most bytes of a list, unpacked, and of the names of all folders in it. That of the largest image has some 20 MB."""
 
 PACKED = 16 << 20
 """Most bytes of a list as it is stored. The list of the largest image has 2 MB."""
@@ -53,7 +52,6 @@ class Files:
     """The paths of an image's files and links, without a slash at the beginning.
 
     Attributes:
-        entries: as they are listed.
         places: the same with links resolved, since /lib is a link to /usr/lib.
         folders: all folders above `entries`.
     """
@@ -64,11 +62,7 @@ class Files:
 
     @classmethod
     def parse(cls, text: bytes) -> Files:
-        """The files in the text of a list, which has one path on each line.
-
-        Raises:
-            RosmlError: there are too many files or folders, or a path is too long.
-        """
+        """The files in the text of a list, which has one path on each line."""
         if text.count(b"\n") > LINES:
             raise RosmlError(f"a list of files has more than {LINES:,} lines", _REMEDY)
         entries = frozenset(line for line in os.fsdecode(text).split("\n") if line)
@@ -103,18 +97,13 @@ def _place(entry: str) -> str:
 
 
 def clash(one: Files, other: Files) -> str:
-    """A file that both images carry, or that is a folder in the other one; the first by name. Empty if there is
-    none."""
-    found = (one.places & other.places) | (one.folders & other.entries) | (one.entries & other.folders)
-    return min(found, default="")
+    """The first file by name that both images carry, or that is a folder in the other one; empty if there is none."""
+    shared = (one.places & other.places) | (one.folders & other.entries) | (one.entries & other.folders)
+    return min(shared, default="")
 
 
 def unpacked(data: bytes) -> bytes:
-    """The text of a compressed list, from all members of the gzip file.
-
-    Raises:
-        RosmlError: the list is damaged, or too large.
-    """
+    """The text of a compressed list, from all members of the gzip file."""
     try:
         return archives.gunzipped(data, LARGEST)
     except ValueError:
@@ -122,7 +111,7 @@ def unpacked(data: bytes) -> bytes:
 
 
 def mounted(
-    source: Registry, repository: str, digest: str, registry: Registry, wanted: str
+    source: Registry, repository: str, digest: str, registry: Registry, target: str
 ) -> Iterator[dict[str, Any]]:
     """The lists of an image as layers of an artifact in another repository, to which their blobs are mounted or copied.
 
@@ -131,57 +120,46 @@ def mounted(
         repository: its path.
         digest: of its manifest.
         registry: that of the other repository.
-        wanted: its path.
-
-    Raises:
-        RosmlError: a registry does not answer or refuses, or there are more lists than of any image.
+        target: the other repository's path.
     """
     for artifact in _artifacts(source, repository, digest):
         for layer in artifact.layers:
             here = source.host == registry.host
-            if not (here and (repository == wanted or registry.mount(wanted, layer.digest, repository))):
-                registry.put_blob(wanted, source.part(repository, layer, PACKED))
+            if not (here and (repository == target or registry.mount(target, layer.digest, repository))):
+                registry.put_blob(target, source.part(repository, layer, PACKED))
             yield {"mediaType": layer.mediaType, "digest": layer.digest, "size": layer.size}
 
 
 def _artifacts(registry: Registry, repository: str, digest: str) -> list[Manifest]:
-    """The artifacts with lists of an image. Several publishers may have attached one: all of them count, so that no list hides a file.
-
-    Raises:
-        RosmlError: the registry does not answer, or there are more than of any image.
-    """
+    """The artifacts with lists of an image. Those of all publishers count, so that no list hides a file."""
     digests = {entry["digest"] for entry in registry.referrers(repository, digest, ARTIFACT)}
     if len(digests) > ATTACHED:
         text = f"{registry.host}/{repository}@{digest} has {len(digests)} lists of files"
         raise RosmlError(text, "remove those that are not yours")
-    found = [artifact for name in sorted(digests) if (artifact := registry.manifest(repository, name))]
-    for artifact in found:  # an app on another base has its own list and those of the base
+    artifacts = [artifact for name in sorted(digests) if (artifact := registry.manifest(repository, name))]
+    for artifact in artifacts:  # an app on another base has its own list and those of the base
         if len(artifact.layers) > LAYERS:
             text = f"a list of files at {registry.host}/{repository}@{digest} has {len(artifact.layers)} layers"
             raise RosmlError(text, _REMEDY)
-    return found
+    return artifacts
 
 
 class Lists:
     """Lists of files by image. Each is downloaded once. Safe to share among threads."""
 
     def __init__(self) -> None:
-        self._known: dict[tuple[str, str, str], Files | None] = {}
+        self._lists: dict[tuple[str, str, str], Files | None] = {}
         self._clashes: dict[tuple[int, int], str] = {}
         self._lock = threading.Lock()
 
     def of(self, registry: Registry, repository: str, digest: str) -> Files | None:
-        """The files of an image manifest; None if it has no list.
-
-        Raises:
-            RosmlError: the registry does not answer, or the list is damaged.
-        """
+        """The files of an image manifest; None if it has no list."""
         key = (registry.host, repository, digest)
-        if key not in self._known:
-            found = self._find(registry, repository, digest)
+        if key not in self._lists:
+            files = self._find(registry, repository, digest)
             with self._lock:
-                self._known.setdefault(key, found)
-        return self._known[key]
+                self._lists.setdefault(key, files)
+        return self._lists[key]
 
     def clash(self, one: Files, other: Files) -> str:
         """As the function `clash`, but computed once for the same two objects."""

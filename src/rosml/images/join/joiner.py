@@ -15,7 +15,7 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import restricted
-from rosml.images.image_set.labels import JOINED
+from rosml.images.image_set.labels import JOINED, OCI
 from rosml.images.image_set.restricted import Declared
 from rosml.images.join import facts, file_lists
 from rosml.images.join.file_lists import COPY, Files, Lists
@@ -35,7 +35,7 @@ class JoinReport(Transferred):
     """The result of a join.
 
     Attributes:
-        reference: what to put after FROM; with the tag, if one was moved.
+        reference: for FROM; with the tag, if one was moved.
         digest: of the index, or of the manifest if there is no index.
         unlisted: images without a list of files, which may carry the same file as another image.
     """
@@ -45,16 +45,11 @@ class JoinReport(Transferred):
     unlisted: list[str] = field(default_factory=list)
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return asdict(self)
 
 
 class Joiner:
-    """Joins images. It reads each ROS image and part once. Safe to share among threads.
-
-    Attributes:
-        allow_unlisted: continue if an image has no list of files.
-    """
+    """Joins images. It reads each ROS image and part once. Safe to share among threads."""
 
     def __init__(
         self,
@@ -69,7 +64,6 @@ class Joiner:
         Args:
             registries: gives the client of a host.
             allow_unlisted: continue if an image has no list of files.
-            say: prints a line for people.
             declared: gives where restricted parts may go.
             unlisted: the remedy for an image without a list of files.
         """
@@ -89,124 +83,96 @@ class Joiner:
         """Joins an image for every platform that a ROS image and parts have in common, and tags it.
 
         Args:
-            ros: complete reference of an index or manifest.
-            parts: complete references of indexes or manifests.
+            ros, parts: complete references of indexes or manifests.
             target: complete reference with the tag to move.
             platforms: only these, such as `linux/arm64`; all common ones if empty.
-
-        Raises:
-            RosmlError: they do not fit together (exit code 2), or a registry does not answer or refuses. No tag was
-                moved.
         """
         started = time.monotonic()
-        where = references.parse(target)
-        if references.is_digest(where.reference):
+        place = references.parse(target)
+        if references.is_digest(place.reference):
             raise RosmlError(f"{target} is a digest, but the target must be a tag", "write it with a tag", exit_code=2)
-        if str(where) in {str(references.parse(source)) for source in (ros, *parts)}:
+        if str(place) in {str(references.parse(source)) for source in (ros, *parts)}:
             text = f"{target} is one of the images to join, and would be overwritten"
             raise RosmlError(text, "choose another tag", exit_code=2)
-        named = [ros, *parts]
-        read = self._transfer.pool.map(self._transfer.platforms, named)
-        found = list(zip(named, read, strict=True))
-        wanted = _common(found, platforms)
-        self._say_what_is_left_out(found, wanted, platforms)
-        result = JoinReport()
-        members = [[item[name] for _, item in found] for name in wanted]
-        images = [self._joined(sources, result) for sources in members]
+        sources = self._read([ros, *parts])
+        common = _common(sources, platforms)
+        if not platforms:
+            self._say_left_out(sources, common)
+        report = JoinReport()
+        members = [[by_platform[name] for _, by_platform in sources] for name in common]
+        images = [self._joined(group, report) for group in members]
         for image in images:  # before the first one is pushed
-            self._transfer.require_allowed(image.labels, target, where)
+            self._transfer.require_allowed(image.labels, target, place)
         for image in images:
-            result.manifests[image.platform] = self._transfer.push(image, where.host, where.repository, result)
+            report.manifests[image.platform] = self._transfer.push(image, place.host, place.repository, report)
         origins = {
-            image.platform: sorted({digest for source in sources for _, digest in self._places(source, sources)})
-            for image, sources in zip(images, members, strict=True)
+            image.platform: sorted({digest for source in group for _, digest in self._places(source, group)})
+            for image, group in zip(images, members, strict=True)
         }
         index = oci.encoded(_index(images, origins))
-        result.digest = self._transfer.registries(where.host).put_manifest(
-            where.repository, where.reference, index, oci.INDEX
-        )
-        result.uploaded += len(index)
-        result.reference = str(where)
-        result.seconds = time.monotonic() - started
-        return result
+        registry = self._transfer.registries(place.host)
+        report.digest = registry.put_manifest(place.repository, place.reference, index, oci.INDEX)
+        report.uploaded += len(index)
+        report.reference = str(place)
+        report.seconds = time.monotonic() - started
+        return report
 
     def check(self, ros: str, parts: Sequence[str], platforms: Sequence[str]) -> dict[str, Joined]:
-        """The joined images for some platforms, of which nothing is pushed.
-
-        Args:
-            ros: complete reference of an index or manifest.
-            parts: complete references of indexes or manifests.
-            platforms: such as `linux/arm64`.
-
-        Raises:
-            RosmlError: as in `join`.
-        """
-        named = [ros, *parts]
-        found = list(zip(named, self._transfer.pool.map(self._transfer.platforms, named), strict=True))
-        wanted = _common(found, platforms)
-        return {name: self._joined([item[name] for _, item in found], JoinReport()) for name in wanted}
+        """The joined images for some platforms, of which nothing is pushed."""
+        sources = self._read([ros, *parts])
+        return {
+            name: self._joined([by_platform[name] for _, by_platform in sources], JoinReport())
+            for name in _common(sources, platforms)
+        }
 
     def manifest(self, ros: Reference, parts: Sequence[Reference], host: str, repository: str) -> JoinReport:
         """Joins an image from manifests for one platform, without an index or a tag.
 
         Args:
-            ros: the ROS image, by digest.
-            parts: by digest.
-            host: the registry for the image.
-            repository: the path for the image.
-
-        Raises:
-            RosmlError: as in `join`.
+            ros, parts: by digest.
+            host, repository: the place for the image.
         """
         started = time.monotonic()
         sources = list(self._transfer.pool.map(lambda item: self._transfer.source(str(item), item), (ros, *parts)))
-        result = JoinReport()
-        image = self._joined(sources, result)
-        digest = self._transfer.push(image, host, repository, result)
-        result.manifests[image.platform] = result.digest = digest
-        result.reference = str(Reference(host, repository, digest))
-        result.seconds = time.monotonic() - started
-        return result
+        report = JoinReport()
+        image = self._joined(sources, report)
+        digest = self._transfer.push(image, host, repository, report)
+        report.manifests[image.platform] = report.digest = digest
+        report.reference = str(Reference(host, repository, digest))
+        report.seconds = time.monotonic() - started
+        return report
 
-    def _say_what_is_left_out(
-        self, found: Sequence[tuple[str, Mapping[str, Source]]], wanted: Sequence[str], asked: Sequence[str]
-    ) -> None:
-        first, known = found[0]
-        if left := [name for name in known if name not in wanted and not asked]:
-            without = [name for name, other in found if any(item not in other for item in left)]
-            self._say(f"left out: {first} is also for {listed(left)}, but {listed(without)} is not")
+    def _read(self, names: Sequence[str]) -> _ByName:
+        return list(zip(names, self._transfer.pool.map(self._transfer.platforms, names), strict=True))
+
+    def _say_left_out(self, sources: _ByName, common: Sequence[str]) -> None:
+        first, platforms = sources[0]
+        if extra := [name for name in platforms if name not in common]:
+            without = [name for name, other in sources if any(item not in other for item in extra)]
+            self._say(f"left out: {first} is also for {listed(extra)}, but {listed(without)} is not")
 
     # ---- Joining -----------------------------------------------------------------------------------------------------
 
-    def _joined(self, sources: Sequence[Source], result: JoinReport) -> Joined:
+    def _joined(self, sources: Sequence[Source], report: JoinReport) -> Joined:
         image = join(sources[0], sources[1:])
-        self._compare(sources, result)
+        self._compare(sources, report)
         return image
 
-    def _compare(self, sources: Sequence[Source], result: JoinReport) -> None:
-        """Checks by their lists that no two images carry the same file.
-
-        Raises:
-            RosmlError: two carry the same file, or an image has no list, unless `allow_unlisted` is set (exit code 2).
-        """
+    def _compare(self, sources: Sequence[Source], report: JoinReport) -> None:
+        """Checks by their lists that no two images carry the same file."""
         lists = list(self._transfer.pool.map(lambda source: self._files(source, sources), sources))
         if unlisted := [source.name for source, files in zip(sources, lists, strict=True) if files is None]:
             text = f"{listed(unlisted)} has no list of its files, so it may carry the same file as another image"
             if not self.allow_unlisted:
                 raise RosmlError(text, self._unlisted, exit_code=2)
             self._say(text)
-            result.unlisted += [name for name in unlisted if name not in result.unlisted]
-        known: list[tuple[Source, Files]] = [
-            (source, files) for source, files in zip(sources, lists, strict=True) if files is not None
-        ]
-        for (one, files), (other, others) in combinations(known, 2):
-            if name := self._lists.clash(files, others):
-                text = f"{one.name} and {other.name} both carry /{name}: one would hide the other's"
-                raise RosmlError(
-                    text,
-                    "remove the file, or the package that has it, from one of them, and publish that image again",
-                    exit_code=2,
-                )
+            report.unlisted += [name for name in unlisted if name not in report.unlisted]
+        pairs = [(source.name, files) for source, files in zip(sources, lists, strict=True) if files is not None]
+        for (name, files), (other, others) in combinations(pairs, 2):
+            if path := self._lists.clash(files, others):
+                text = f"{name} and {other} both carry /{path}: one would hide the other's"
+                remedy = "remove the file, or the package that has it, from one of them, and publish that image again"
+                raise RosmlError(text, remedy, exit_code=2)
 
     def _files(self, source: Source, beside: Sequence[Source]) -> Files | None:
         """The files of an image: by its own list, or by those of the images that it was joined from.
@@ -215,11 +181,11 @@ class Joiner:
             beside: the images of the present join, in whose repositories those may be as well.
         """
         registry = self._transfer.registries(source.host)
-        if own := self._lists.of(registry, source.repository, source.digest):
-            return own
+        if files := self._lists.of(registry, source.repository, source.digest):
+            return files
         lists = [self._lists.of(registry, *place) for place in self._places(source, beside)]
-        known = [files for files in lists if files]
-        return file_lists.together(known) if known and len(known) == len(lists) else None
+        present = [files for files in lists if files]
+        return file_lists.together(present) if present and len(present) == len(lists) else None
 
     def _places(self, source: Source, beside: Sequence[Source]) -> list[tuple[str, str]]:
         """Repositories and digests of the images with lists of an image's files."""
@@ -231,22 +197,23 @@ class Joiner:
         return facts.components(registry, source.repository, source.digest, source.annotations, near)
 
 
-def _common(found: Sequence[tuple[str, Mapping[str, Source]]], asked: Sequence[str]) -> list[str]:
-    """The platforms that all images have, or the requested ones.
+_ByName = Sequence[tuple[str, Mapping[str, Source]]]
+"""Images by the user's names, each by platform."""
 
-    Raises:
-        RosmlError: an image lacks a requested platform, or no platform is common to all images (exit code 2).
-    """
-    for name, known in found:
-        for wanted in asked:
-            if wanted not in known:
-                text = f"{name} is for {listed(sorted(known)) or 'no platform'}, not for {wanted}"
+
+def _common(sources: _ByName, requested: Sequence[str]) -> list[str]:
+    """The platforms that all images have, or the requested ones."""
+    offers = {name: listed(sorted(platforms)) or "no platform" for name, platforms in sources}
+    for name, platforms in sources:
+        for platform in requested:
+            if platform not in platforms:
+                text = f"{name} is for {offers[name]}, not for {platform}"
                 raise RosmlError(text, "choose a platform that all of them have", exit_code=2)
-    common = [name for name in sorted(found[0][1]) if all(name in known for _, known in found)]
+    common = [name for name in sorted(sources[0][1]) if all(name in platforms for _, platforms in sources)]
     if not common:
-        text = "; ".join(f"{name} is for {listed(sorted(known)) or 'no platform'}" for name, known in found)
+        text = "; ".join(f"{name} is for {offers[name]}" for name, _ in sources)
         raise RosmlError(f"no platform in common: {text}", "use images for one platform", exit_code=2)
-    return list(dict.fromkeys(asked)) or common
+    return list(dict.fromkeys(requested)) or common
 
 
 def _index(images: Sequence[Joined], origins: Mapping[str, Sequence[str]]) -> dict[str, Any]:
@@ -259,7 +226,8 @@ def _index(images: Sequence[Joined], origins: Mapping[str, Sequence[str]]) -> di
     for image in sorted(images, key=lambda item: item.platform):
         os, architecture, *variant = image.platform.split("/")
         place = {"os": os, "architecture": architecture, **({"variant": variant[0]} if variant else {})}
-        noted = {"annotations": {JOINED: " ".join(found)}} if (found := origins[image.platform]) else {}
-        entries.append({**oci.descriptor(oci.IMAGE, image.manifest), "platform": place, **noted})
-    said = {key: text for key, text in images[0].labels.items() if key.startswith("org.opencontainers.image.")}
-    return {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries, "annotations": said}
+        digests = " ".join(origins[image.platform])
+        joined = {"annotations": {JOINED: digests}} if digests else {}
+        entries.append({**oci.descriptor(oci.IMAGE, image.manifest), "platform": place, **joined})
+    annotations = {key: text for key, text in images[0].labels.items() if key.startswith(OCI)}
+    return {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries, "annotations": annotations}

@@ -14,7 +14,6 @@ MOST = 64
 """How many parts or add-ons an image has at most, and how much software a part."""
 
 LONGEST = 64
-"""The length of the longest word."""
 
 _VERSION = r"[0-9A-Za-z][0-9A-Za-z.+!_-]*"
 _WORDS = dict.fromkeys(("part", "distribution", "component", "framework", "stack"), NAME) | {
@@ -22,19 +21,10 @@ _WORDS = dict.fromkeys(("part", "distribution", "component", "framework", "stack
 }
 
 
-def require(said: Mapping[str, str], name: str, remedy: str = "publish it again") -> None:
-    """Checks the labels that say what an image or part is, and what goes together.
-
-    Args:
-        said: the labels.
-        name: the user's name of the image.
-        remedy: of the error.
-
-    Raises:
-        RosmlError: a label is damaged (exit code 2).
-    """
+def require(claims: Mapping[str, str], name: str, remedy: str = "publish it again") -> None:
+    """Checks the labels about what an image or part is, and what goes together. `name` is the user's name of the image."""
     for label in (*(labels.PREFIX + word for word in _WORDS), labels.PARTS, labels.ADDONS, _FRAMEWORKS, labels.BRINGS):
-        wrong = _wrong(said, label) if said.get(label) else ""
+        wrong = _wrong(claims, label) if claims.get(label) else ""
         if wrong:
             raise RosmlError(f"{name}: its label {label} is damaged: {wrong}", remedy, exit_code=2)
 
@@ -42,20 +32,20 @@ def require(said: Mapping[str, str], name: str, remedy: str = "publish it again"
 _FRAMEWORKS = f"{labels.PREFIX}frameworks"
 
 
-def _wrong(said: Mapping[str, str], label: str) -> str:
-    """What is wrong with a label that is there; empty if nothing is."""
-    text = said[label]
+def _wrong(claims: Mapping[str, str], label: str) -> str:
+    """What is wrong with a label; empty if nothing is."""
+    text = claims[label]
     if pattern := _WORDS.get(label.removeprefix(labels.PREFIX)):
         return "" if _is(pattern, text) else f"{text[:LONGEST]!r} is no name"
     if label == labels.BRINGS:
-        return _wrong_software(said)
-    if label == labels.PARTS or not said.get(f"{labels.PREFIX}part"):
+        return _wrong_software(claims)
+    if label == labels.PARTS or not claims.get(f"{labels.PREFIX}part"):
         return _wrong_names(text.split())
     try:
-        found = labels.combinations(text)
+        combinations = labels.combinations(text)
     except ValueError:
         return f"{text[:LONGEST]!r} names no parts"
-    return _wrong_names([*found]) or next(filter(None, map(_wrong_names, found.values())), "")
+    return _wrong_names([*combinations]) or next(filter(None, map(_wrong_names, combinations.values())), "")
 
 
 def _wrong_names(names: Sequence[str]) -> str:
@@ -67,14 +57,14 @@ def _wrong_names(names: Sequence[str]) -> str:
     return "" if wrong is None else f"{wrong[:LONGEST]!r} is no name"
 
 
-def _wrong_software(said: Mapping[str, str]) -> str:
+def _wrong_software(claims: Mapping[str, str]) -> str:
     try:
-        found = list(labels.brought_by(said))
+        software = list(labels.brought_by(claims))
     except ValueError:
-        return f"{said[labels.BRINGS][:LONGEST]!r} names no software"
+        return f"{claims[labels.BRINGS][:LONGEST]!r} names no software"
     unfit: Iterator[str] = (
         text
-        for item in found
+        for item in software
         for text, pattern in (
             *((item.name, NAME), (item.version, _VERSION), (item.short, NAME), (item.title, WORD)),
             *((text, WORD) for text in item.environment.values()),
@@ -82,9 +72,11 @@ def _wrong_software(said: Mapping[str, str]) -> str:
         if text and not _is(pattern, text)
     )
     wrong = next(unfit, "")
-    if any(len(item.environment) > MOST for item in found):
+    if any(len(item.environment) > MOST for item in software):
         return f"software needs more than {MOST} variables"
-    return f"{wrong[:LONGEST]!r} is no name, version or value" if wrong else _wrong_names([item.name for item in found])
+    return (
+        f"{wrong[:LONGEST]!r} is no name, version or value" if wrong else _wrong_names([item.name for item in software])
+    )
 
 
 def _is(pattern: str, text: str) -> bool:

@@ -15,7 +15,7 @@ from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import labels, restricted
-from rosml.images.join import label_claims as told
+from rosml.images.join import label_claims
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 from rosml.images.matrix.rules import Brought
@@ -41,11 +41,6 @@ class Source:
 
     Attributes:
         name: the user's name of the image, for messages.
-        host: the registry.
-        repository: the path in the registry.
-        digest: of the manifest.
-        manifest: of the image.
-        config: of the image.
         annotations: of its entry in its index.
     """
 
@@ -64,7 +59,6 @@ class Source:
 
     @property
     def labels(self) -> Mapping[str, str]:
-        """The labels of its config."""
         return self.config.labels
 
     @property
@@ -91,9 +85,6 @@ class Joined:
 
     Attributes:
         platform: such as `linux/arm64`.
-        config: as it will be stored.
-        manifest: as it will be stored.
-        labels: in the config.
         layers: descriptors, with the image that each layer comes from.
         environment: variables in the config, such as `PATH=/usr/bin`.
     """
@@ -107,16 +98,11 @@ class Joined:
 
     @property
     def digest(self) -> str:
-        """The digest of the manifest."""
         return oci.digest_of(self.manifest)
 
 
 def as_source(image: Joined, ros: Source) -> Source:
-    """A joined image that nobody pushed, as a source of another one.
-
-    Args:
-        ros: the image to which parts were joined.
-    """
+    """A joined image that nobody pushed, as a source of another one. To `ros`, parts were joined."""
     content, config = untrusted.json_value(image.manifest), untrusted.json_value(image.config)
     manifest = Manifest(content, image.digest, oci.IMAGE, len(image.manifest))
     facts = documents.Config.model_validate(config)
@@ -125,18 +111,14 @@ def as_source(image: Joined, ros: Source) -> Source:
 
 def platform(facts: Mapping[str, Any] | documents.Config | documents.Platform | None) -> str:
     """The platform of a config, or of an entry in an index; on arm64 without the variant."""
-    found = facts if isinstance(facts, Mapping) else vars(facts) if facts else {}
-    variant = found.get("variant")
-    known = f"{found.get('os') or 'unknown'}/{found.get('architecture') or 'unknown'}"
-    return known if not variant or known == "linux/arm64" else f"{known}/{variant}"
+    fields = facts if isinstance(facts, Mapping) else vars(facts) if facts else {}
+    variant = fields.get("variant")
+    plain = f"{fields.get('os') or 'unknown'}/{fields.get('architecture') or 'unknown'}"
+    return plain if not variant or plain == "linux/arm64" else f"{plain}/{variant}"
 
 
 def join(ros: Source, parts: Sequence[Source]) -> Joined:
-    """Joins a ROS image and parts, all for one platform. Onto an image that has parts go add-ons alone.
-
-    Raises:
-        RosmlError: they do not fit together (exit code 2).
-    """
+    """Joins a ROS image and parts, all for one platform. Onto an image that has parts go add-ons alone."""
     _require_ros(ros)
     for part in parts:
         _require_part(part)
@@ -171,22 +153,21 @@ def _require_ros(ros: Source) -> None:
         if not ros.labels.get(label):
             text = f"{ros.name} is no ROS image of this project: it has no label {label}"
             raise RosmlError(text, "use an image from the repository ros, or one that was built on it", exit_code=2)
-    if own := ros.labels.get(labels.OWN):
-        text = f"{ros.name} has CUDA or a framework from its base image: {own}"
+    if carried := ros.labels.get(labels.OWN):
+        text = f"{ros.name} has CUDA or a framework from its base image: {carried}"
         raise RosmlError(text, "use it as it is; parts need a base image without these", exit_code=2)
-    told.require(ros.labels, ros.name)
+    label_claims.require(ros.labels, ros.name)
     _require_whole(ros)
 
 
 def _require_part(part: Source) -> None:
     for label in (_PART, _STACK, _PYTHON):
         if not part.labels.get(label):
-            what = "a ROS image" if _DISTRIBUTION in part.labels else "no part"
-            text = f"{part.name} is {what}: it has no label {label}"
-            raise RosmlError(
-                text, "use a part from the repository part, made by this version or a later one", exit_code=2
-            )
-    told.require(part.labels, part.name)
+            kind = "a ROS image" if _DISTRIBUTION in part.labels else "no part"
+            text = f"{part.name} is {kind}: it has no label {label}"
+            remedy = "use a part from the repository part, made by this version or a later one"
+            raise RosmlError(text, remedy, exit_code=2)
+    label_claims.require(part.labels, part.name)
     _require_whole(part)
 
 
@@ -204,13 +185,13 @@ class _Content:
         framework: of the joined image.
         addons: of the joined image, sorted.
         order: the parts that are joined, in their order.
-        there: the parts that the image has already, in their order.
+        present: the parts that the image has already, in their order.
     """
 
     framework: str
     addons: tuple[str, ...]
     order: tuple[str, ...]
-    there: tuple[str, ...] = ()
+    present: tuple[str, ...] = ()
 
 
 def _content(ros: Source, parts: Sequence[Source]) -> _Content:
@@ -227,8 +208,8 @@ def _content(ros: Source, parts: Sequence[Source]) -> _Content:
     framework, order = ros.labels.get(_FRAMEWORK, names.NONE), tuple[str, ...]()
     if rest := [item for item in parts if item.labels[_PART] not in explained]:
         shared = _shared(rest)
-        named = [*by_kind, *explained]
-        fits = ((name, kinds) for name, kinds in shared.items() if set(kinds) <= set(named))
+        kinds_at_hand = {*by_kind, *explained}
+        fits = ((name, kinds) for name, kinds in shared.items() if set(kinds) <= kinds_at_hand)
         framework, order = next(fits, None) or _lacking(ros, rest, by_kind, shared)
     order = tuple(dict.fromkeys([*order, *explained]))
     if missing := [kind for kind in order if kind not in by_kind]:
@@ -240,12 +221,12 @@ def _onto(
     ros: Source, by_kind: Mapping[str, Source], adding: Mapping[str, Sequence[str]], explained: Iterable[str]
 ) -> _Content:
     """The content if add-ons are joined to an image that has parts."""
-    there = tuple(ros.labels.get(labels.PARTS, "").split())
-    if twice := [kind for kind in by_kind if kind in there]:
+    present = tuple(ros.labels.get(labels.PARTS, "").split())
+    if twice := [kind for kind in by_kind if kind in present]:
         text = f"{ros.name} has the {'part' if len(twice) == 1 else 'parts'} {listed(twice)} already"
         raise RosmlError(text, "leave them out" if twice[1:] else "leave it out", exit_code=2)
-    order = [kind for kind in explained if kind not in there]
-    if not there or [kind for kind in by_kind if kind not in order]:
+    order = [kind for kind in explained if kind not in present]
+    if not present or [kind for kind in by_kind if kind not in order]:
         carried = f"framework {ros.labels.get(_FRAMEWORK)} of stack {ros.labels[_STACK]}"
         plain = f"the ROS image below it, ros:{names.main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
         if ros.labels.get(labels.APP):
@@ -253,8 +234,8 @@ def _onto(
         raise RosmlError(f"{ros.name} has {carried} already", f"take {plain}", exit_code=2)
     if missing := [kind for kind in order if kind not in by_kind]:
         raise _incomplete(ros, [*by_kind.values()], missing, f"add-on {listed([*adding])}")
-    known = ros.labels.get(labels.ADDONS, "").split()
-    return _Content(ros.labels.get(_FRAMEWORK, names.NONE), tuple(sorted({*known, *adding})), tuple(order), there)
+    addons = ros.labels.get(labels.ADDONS, "").split()
+    return _Content(ros.labels.get(_FRAMEWORK, names.NONE), tuple(sorted({*addons, *adding})), tuple(order), present)
 
 
 def _by_kind(ros: Source, parts: Sequence[Source]) -> dict[str, Source]:
@@ -263,8 +244,8 @@ def _by_kind(ros: Source, parts: Sequence[Source]) -> dict[str, Source]:
         raise RosmlError(f"there are no parts to join to {ros.name}", "name the parts after it", exit_code=2)
     stacks = {item.labels[_STACK]: item.name for item in (*parts, ros) if item.labels.get(_STACK)}
     if len(stacks) > 1:
-        found = listed([f"{name} is of stack {stack}" for stack, name in stacks.items()])
-        raise RosmlError(f"an image carries one stack: {found}", "use parts of one stack", exit_code=2)
+        stack_names = listed([f"{name} is of stack {stack}" for stack, name in stacks.items()])
+        raise RosmlError(f"an image carries one stack: {stack_names}", "use parts of one stack", exit_code=2)
     by_kind: dict[str, Source] = {}
     for item in parts:
         kind = item.labels[_PART]
@@ -277,10 +258,10 @@ def _by_kind(ros: Source, parts: Sequence[Source]) -> dict[str, Source]:
 
 def _shared(parts: Sequence[Source]) -> dict[str, tuple[str, ...]]:
     """The frameworks that take all of some parts, the smallest first, with their parts."""
-    known = [labels.combinations(item.labels.get(_FRAMEWORKS, "")) for item in parts]
-    shared = {name: kinds for name, kinds in known[0].items() if all(name in other for other in known)}
+    combinations = [labels.combinations(item.labels.get(_FRAMEWORKS, "")) for item in parts]
+    shared = {name: kinds for name, kinds in combinations[0].items() if all(name in other for other in combinations)}
     for name, kinds in shared.items():
-        if any(other[name] != kinds for other in known):
+        if any(other[name] != kinds for other in combinations):
             text = f"the parts are of different releases: they name different parts of framework {name}"
             raise RosmlError(text, "use parts that were published together", exit_code=2)
     return shared
@@ -288,13 +269,13 @@ def _shared(parts: Sequence[Source]) -> dict[str, tuple[str, ...]]:
 
 def _addons(parts: Sequence[Source]) -> dict[str, tuple[str, ...]]:
     """The add-ons whose own parts are among some parts, by name, with their parts and those that these need."""
-    found: dict[str, tuple[str, ...]] = {}
+    addons: dict[str, tuple[str, ...]] = {}
     for item in parts:
         for name, kinds in labels.combinations(item.labels.get(labels.ADDONS, "")).items():
-            if found.setdefault(name, kinds) != kinds:
+            if addons.setdefault(name, kinds) != kinds:
                 text = f"the parts are of different releases: they name different parts of add-on {name}"
                 raise RosmlError(text, "use parts that were published together", exit_code=2)
-    return dict(sorted(found.items()))
+    return dict(sorted(addons.items()))
 
 
 def _lacking(
@@ -313,8 +294,8 @@ def _lacking(
 def _incomplete(ros: Source, parts: Sequence[Source], missing: Sequence[str], why: str) -> RosmlError:
     stack = parts[0].labels[_STACK]
     text = f"{listed([item.name for item in parts])} cannot do without {listed(missing)} of stack {stack}"
-    told = " ".join(item.labels.get(label, "") for item in parts for label in (_FRAMEWORKS, labels.ADDONS))
-    pythons = {kind: ANY_PYTHON if labels.any_python(told, kind) else ros.labels[_PYTHON] for kind in missing}
+    claims = " ".join(item.labels.get(label, "") for item in parts for label in (_FRAMEWORKS, labels.ADDONS))
+    pythons = {kind: ANY_PYTHON if labels.any_python(claims, kind) else ros.labels[_PYTHON] for kind in missing}
     lacking = listed([names.part_name(kind, stack, python) for kind, python in pythons.items()])
     return RosmlError(text, f"add {lacking}: {why}", exit_code=2)
 
@@ -323,25 +304,25 @@ def _require_fit(ros: Source, part: Source) -> None:
     if part.platform != ros.platform:
         text = f"{part.name} is for {part.platform}, and {ros.name} for {ros.platform}"
         raise RosmlError(text, "use images for one platform", exit_code=2)
-    wanted, found = part.labels[_PYTHON], ros.labels[_PYTHON]
-    if wanted not in (ANY_PYTHON, found):
-        name = names.part_name(part.labels[_PART], part.labels[_STACK], found)
-        text = f"{part.name} is for Python {wanted}, and {ros.name} has Python {found}"
+    python, ros_python = part.labels[_PYTHON], ros.labels[_PYTHON]
+    if python not in (ANY_PYTHON, ros_python):
+        name = names.part_name(part.labels[_PART], part.labels[_STACK], ros_python)
+        text = f"{part.name} is for Python {python}, and {ros.name} has Python {ros_python}"
         raise RosmlError(text, f"use the part {name}", exit_code=2)
 
 
 def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
     """What parts bring, without duplicates: releases first, then facts of the stack."""
-    found: dict[str, tuple[Brought, str]] = {}
+    software: dict[str, tuple[Brought, str]] = {}
     for part in parts:
         for item in labels.brought_by(part.labels):
-            known, whose = found.setdefault(item.name, (item, part.name))
-            if known.version != item.version:
-                text = f"{whose} has {item.name} {known.version}, and {part.name} has {item.version}"
+            first, first_part = software.setdefault(item.name, (item, part.name))
+            if first.version != item.version:
+                text = f"{first_part} has {item.name} {first.version}, and {part.name} has {item.version}"
                 raise RosmlError(text, "use parts that were published together", exit_code=2)
             if item.title:
-                found[item.name] = (item, part.name)
-    return tuple(sorted((item for item, _ in found.values()), key=lambda item: not item.released))
+                software[item.name] = (item, part.name)
+    return tuple(sorted((item for item, _ in software.values()), key=lambda item: not item.released))
 
 
 # ---- The result ------------------------------------------------------------------------------------------------------
@@ -349,21 +330,20 @@ def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
 
 def _labels(ros: Source, content: _Content, stack: str, brought: Sequence[Brought]) -> dict[str, str]:
     place = ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS]
-    named = labels.about_image(labels.ImageKind(*place, content.framework, stack, content.addons), brought)
-    if content.there:
-        named[labels.VERSION] = names.spelled_tag(ros.labels.get(labels.VERSION, ""), labels.spelled(brought))
-        titles = [f"{item.title} {item.version}" for item in brought if item.title]
-        named[labels.DESCRIPTION] = ", ".join([ros.labels.get(labels.DESCRIPTION, ""), *titles])
+    titles = labels.about_image(labels.ImageKind(*place, content.framework, stack, content.addons), brought)
+    if content.present:
+        titles[labels.VERSION] = names.spelled_tag(ros.labels.get(labels.VERSION, ""), labels.spelled(brought))
+        software = [f"{item.title} {item.version}" for item in brought if item.title]
+        titles[labels.DESCRIPTION] = ", ".join([ros.labels.get(labels.DESCRIPTION, ""), *software])
     if ros.labels.get(labels.APP):
-        named[labels.TITLE] = ros.labels.get(labels.TITLE, "")
-    counted = {labels.PREFIX + item.name: item.version for item in brought}
-    parts = {labels.PARTS: " ".join([*content.there, *content.order])}
+        titles[labels.TITLE] = ros.labels.get(labels.TITLE, "")
+    versions = {labels.PREFIX + item.name: item.version for item in brought}
+    parts = {labels.PARTS: " ".join([*content.present, *content.order])}
     addons = {labels.ADDONS: " ".join(content.addons)} if content.addons else {}
-    return {**ros.labels, **named, _FRAMEWORK: content.framework, _STACK: stack, **counted, **parts, **addons}
+    return {**ros.labels, **titles, _FRAMEWORK: content.framework, _STACK: stack, **versions, **parts, **addons}
 
 
 def _about_gpus(parts: Sequence[Source]) -> dict[str, str]:
-    """The parts' labels about GPUs, which the image gets."""
     return {name: value for part in parts for name, value in part.labels.items() if name.startswith(labels.GPU)}
 
 
@@ -386,13 +366,13 @@ def _config(
         "diff_ids": [digest for source in (ros, *parts) for digest in source.diff_ids]
     }
     if config.get("history"):  # either every layer has an entry, or there is no history
-        own = [entry for entry in config["history"] if not _is_argument(entry)]
-        config["history"] = [*own, *(entry for part in parts for entry in _history(config, part))]
+        steps = [entry for entry in config["history"] if not _is_argument(entry)]
+        config["history"] = [*steps, *(entry for part in parts for entry in _history(config, part))]
     return config
 
 
 def _is_argument(entry: Mapping[str, Any]) -> bool:
-    """Whether an entry of the history is an argument of a build. The steps after it repeat it, and every image would carry it again."""
+    """Whether an entry of the history is a build's argument. The steps after it repeat it, and each image would again."""
     return bool(entry.get("empty_layer")) and str(entry.get("created_by")).startswith("ARG ")
 
 

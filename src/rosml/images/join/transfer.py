@@ -28,16 +28,15 @@ MEMBERS = 200
 
 @dataclass
 class Transferred:
-    """What came of a push.
+    """Counts of a push.
 
     Attributes:
         manifests: digest of the image manifest for each platform.
-        layers: how many layers there are, on all platforms.
-        mounted: how many layers the registry mounted from another repository.
-        present: how many layers the repository had already.
-        copied: how many layers were copied from another registry.
+        layers: on all platforms.
+        mounted: layers that the registry mounted from another repository.
+        present: layers that the repository had already.
+        copied: layers from another registry.
         uploaded: bytes sent to the registry.
-        seconds: wall time.
     """
 
     manifests: dict[str, str] = field(default_factory=dict)
@@ -53,7 +52,6 @@ class Transfer:
     """Reads and pushes images. It reads each manifest and config once. Safe to share among threads.
 
     Attributes:
-        pool: threads for requests.
         registries: gives the client of a host.
     """
 
@@ -63,14 +61,9 @@ class Transfer:
         say: Callable[[str], None] = lambda _: None,
         declared: Callable[[], Declared] = restricted.of_this_machine,
     ) -> None:
-        """
-        Args:
-            registries: gives the client of a host.
-            say: prints a line for people.
-            declared: gives where restricted parts may go.
-        """
+        """`declared` gives where restricted parts may go."""
         self.registries = registries
-        self._say, self._said, self._declared = say, set[str](), declared
+        self._say, self._notices, self._declared = say, set[str](), declared
         self.pool = ThreadPoolExecutor(THREADS)
         self._sources: dict[Reference, Source] = {}
         self._manifests: dict[Reference, oci.Manifest] = {}
@@ -87,41 +80,24 @@ class Transfer:
         self.pool.shutdown(wait=not failed, cancel_futures=True)
 
     def platforms(self, name: str) -> Mapping[str, Source]:
-        """The image of a complete reference, by platform.
-
-        Raises:
-            RosmlError: there is no such image (exit code 2); the registry does not answer or refuses.
-        """
+        """The image of a complete reference, by platform."""
         where = references.parse(name)
         registry, manifest = self.registries(where.host), self.manifest(where)
         if manifest is None:
-            raise RosmlError(f"{name} is not there", f"{_near(registry, where)}", 2)
+            raise RosmlError(f"{name} is not there", _near(registry, where), 2)
         return self.members(name, where, manifest)
 
     def manifest(self, where: Reference) -> oci.Manifest | None:
-        """The manifest of a place; None if there is none. One that is named by its digest is read once.
-
-        Raises:
-            RosmlError: the registry does not answer or refuses.
-        """
-        if found := self._manifests.get(where):
-            return found
-        found = self.registries(where.host).manifest(where.repository, where.reference)
-        if found and references.is_digest(where.reference):
-            self._manifests[where] = found
-        return found
+        """The manifest of a place; None if there is none. One that is named by its digest is read once."""
+        if manifest := self._manifests.get(where):
+            return manifest
+        manifest = self.registries(where.host).manifest(where.repository, where.reference)
+        if manifest and references.is_digest(where.reference):
+            self._manifests[where] = manifest
+        return manifest
 
     def members(self, name: str, where: Reference, manifest: oci.Manifest) -> Mapping[str, Source]:
-        """The same for a manifest that was read already.
-
-        Args:
-            name: the user's name of the image, for messages.
-            where: its place.
-            manifest: its manifest or index.
-
-        Raises:
-            RosmlError: the index lists more than any real one; the registry does not answer or refuses.
-        """
+        """The image of a manifest or index that was read already, by platform. `name` is the user's name of it."""
         if len(manifest.members) > MEMBERS:
             text = f"{name} is an index of {len(manifest.members):,} images, and at most {MEMBERS} are read"
             raise RosmlError(text, "name another image", exit_code=2)
@@ -136,17 +112,9 @@ class Transfer:
         }
 
     def one(self, name: str, manifest: oci.Manifest | None = None) -> Source:
-        """The image of a complete reference for one platform, whichever it is.
-
-        Args:
-            name: the reference.
-            manifest: its manifest or index, if it was read already.
-
-        Raises:
-            RosmlError: it is for none (exit code 2); or as in `platforms`.
-        """
-        found = self.members(name, references.parse(name), manifest) if manifest else self.platforms(name)
-        for source in found.values():
+        """The image of a complete reference for one platform, whichever it is. `manifest` saves reading it again."""
+        members = self.members(name, references.parse(name), manifest) if manifest else self.platforms(name)
+        for source in members.values():
             return source
         raise RosmlError(f"{name} is for no platform", "publish it again", exit_code=2)
 
@@ -157,17 +125,7 @@ class Transfer:
         manifest: oci.Manifest | None = None,
         annotations: Mapping[str, str] | None = None,
     ) -> Source:
-        """An image for one platform, by its digest.
-
-        Args:
-            name: the user's name of the image, for messages.
-            where: its place, with its digest.
-            manifest: its manifest, if it was read already.
-            annotations: of its entry in its index.
-
-        Raises:
-            RosmlError: there is no such image (exit code 2); the registry does not answer or refuses.
-        """
+        """An image for one platform, by its digest. `name` is the user's name of it, for messages."""
         if where not in self._sources:
             registry = self.registries(where.host)
             manifest = manifest or self.manifest(where)
@@ -180,52 +138,37 @@ class Transfer:
         return self._sources[where]
 
     def require_allowed(self, labels: Mapping[str, str], name: str, where: Reference) -> None:
-        """Checks that an image may go to a place: it may have restricted parts.
-
-        Args:
-            labels: of the image.
-            name: what people call it.
-
-        Raises:
-            RosmlError: it may not (exit code 2).
-        """
+        """Checks that an image may go to a place: it may have restricted parts."""
         if parts := restricted.parts_of(labels):
-            told = restricted.require(parts, name, where.host, where.repository, self._declared())
+            notice = restricted.require(parts, name, where.host, where.repository, self._declared())
             with self._lock:
-                new = told not in self._said
-                self._said.add(told)
-            if told and new:
-                self._say(told)
+                is_new = notice not in self._notices
+                self._notices.add(notice)
+            if notice and is_new:
+                self._say(notice)
 
-    def push(self, image: Joined, host: str, repository: str, result: Transferred) -> str:
-        """Pushes an image by digest, without a tag: layers, then config, then manifest. Gives the digest.
-
-        Args:
-            result: its counters grow.
-
-        Raises:
-            RosmlError: a registry does not answer or refuses; the image has restricted parts, which may not go there (exit code 2).
-        """
+    def push(self, image: Joined, host: str, repository: str, counts: Transferred) -> str:
+        """Pushes an image by digest, without a tag. Returns the digest. The counters of `counts` grow."""
         self.require_allowed(image.labels, image.labels.get(TITLE, repository), Reference(host, repository, ""))
         registry = self.registries(host)
-        result.layers += len(image.layers)
+        counts.layers += len(image.layers)
         if registry.head(repository, image.digest):  # then all its layers are there, too
-            result.present += len(image.layers)
+            counts.present += len(image.layers)
             return image.digest
         unique = {layer["digest"]: (layer, source) for layer, source in image.layers}
         ways = self.pool.map(lambda item: self._bring(registry, repository, *item), unique.values())
         by_digest = dict(zip(unique, ways, strict=True))
         for layer, _ in image.layers:
             way = by_digest[layer["digest"]]
-            setattr(result, way, getattr(result, way) + 1)
+            setattr(counts, way, getattr(counts, way) + 1)
         copied = sum(layer["size"] for layer, _ in unique.values() if by_digest[layer["digest"]] == "copied")
         registry.put_blob(repository, image.config)
         registry.put_manifest(repository, "", image.manifest, oci.IMAGE)
-        result.uploaded += copied + len(image.config) + len(image.manifest)
+        counts.uploaded += copied + len(image.config) + len(image.manifest)
         return image.digest
 
     def _bring(self, registry: Registry, repository: str, layer: Mapping[str, Any], source: Source) -> str:
-        """Adds a layer to the repository. Gives the way in which it got there, as the name of a counter."""
+        """Adds a layer to the repository. Returns the name of the counter for its way there."""
         digest = layer["digest"]
         if source.host == registry.host:
             if source.repository == repository:
@@ -239,11 +182,11 @@ class Transfer:
 
 
 def _near(registry: Registry, where: Reference) -> str:
-    """What to do about an image that is not there: names of tags near its own, or some of those that its repository has."""
+    """The remedy for a missing image: names of tags near its own, or some of those that its repository has."""
     if references.is_digest(where.reference):
         return references.GONE
     tags = [tag for tag in registry.tags(where.repository) if not tag.startswith("sha256-")]  # lists of attached things
-    if found := near(where.reference, tags):
-        return f"check its name: {found}"
-    known = f"its tags are {some(sorted(tags))}" if tags else f"{where.host}/{where.repository} has no tags"
-    return f"check its name: {known}"
+    if close := near(where.reference, tags):
+        return f"check its name: {close}"
+    present = f"its tags are {some(sorted(tags))}" if tags else f"{where.host}/{where.repository} has no tags"
+    return f"check its name: {present}"

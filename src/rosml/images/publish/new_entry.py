@@ -8,7 +8,7 @@ from typing import Any
 from rosml.base.clock import now
 from rosml.base.errors import RosmlError
 from rosml.images.builds import contents, package_state
-from rosml.images.builds.maker import Made
+from rosml.images.builds.maker import NewImage
 from rosml.images.image_set import apt_repository
 from rosml.images.image_set.model import Image, Part
 from rosml.images.publish import provenance
@@ -18,7 +18,7 @@ from rosml.images.publish.run import Run
 from rosml.images.records.store import Entry
 
 
-def new_entry(run: Run, item: Item, before: Entry, output: Made, started: str) -> Entry:
+def new_entry(run: Run, item: Item, before: Entry, output: NewImage, started: str) -> Entry:
     """Attaches a provenance statement to an item that was just made, and returns its new entry."""
     state = run.state
     manifest = state.place.client.manifest(state.place.path(item.repository), output.digest)
@@ -40,7 +40,7 @@ def new_entry(run: Run, item: Item, before: Entry, output: Made, started: str) -
     )
 
 
-def _attach(run: Run, item: Item, before: Entry, output: Made, started: str) -> dict[str, str]:
+def _attach(run: Run, item: Item, before: Entry, output: NewImage, started: str) -> dict[str, str]:
     """The digests of an item's statements, by builder. A statement about the same digest that the records name is kept."""
     place, builder = run.state.place, run.machine.builder
     earlier = dict(before.provenance) if before.digest == output.digest else {}
@@ -62,7 +62,7 @@ def _parameters(run: Run, item: Item) -> dict[str, str]:
     return parameters | {"stack": image.stack or ""} | channel
 
 
-def _dependencies(run: Run, item: Item, output: Made) -> Iterator[dict[str, Any]]:
+def _dependencies(run: Run, item: Item, output: NewImage) -> Iterator[dict[str, Any]]:
     """Descriptors of what the item was made from: base image or parts, locks, packages, the checkout."""
     state, services = run.state, run.state.request.services
     if output.base:

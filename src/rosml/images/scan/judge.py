@@ -13,33 +13,28 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from datetime import UTC, date, datetime
 from enum import StrEnum
-from typing import Any, TypeVar
+from functools import cached_property
+from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some
 from rosml.images.scan.policy import LONGEST, SEVERITIES, Ignored, Rules
 from rosml.images.scan.sbom import Shelf
-from rosml.images.scan.trivy import ANOTHER, SCANNER_FAILED, Database, Report, ScannerFailed, Trivy
+from rosml.images.scan.trivy import ANOTHER, SCANNER_FAILED, Database, Report, ScannerFailed, Trivy, Vulnerability
 
-Known = TypeVar("Known")
-
-NAMED = 20
+RECORDED = 20
 """The most findings of an image that the records name: they are read at every plan. All are in the reports of a run."""
 
 POLICY_FAILED = 3
-"""The exit code if the policy stops an image."""
 
 
 class Outcome(StrEnum):
-    """The outcome of a scan."""
-
     CLEAN = "clean"
     POLICY_FAILED = "policy failed"
     SCANNER_FAILED = "scanner failed"
 
     @property
     def exit_code(self) -> int:
-        """0, 3 or 4."""
         return {Outcome.CLEAN: 0, Outcome.POLICY_FAILED: POLICY_FAILED, Outcome.SCANNER_FAILED: SCANNER_FAILED}[self]
 
 
@@ -61,19 +56,12 @@ class Part:
 
     @property
     def reference(self) -> str:
-        """Its reference, by digest."""
         return f"{self.registry}/{self.repository}@{self.digest}"
 
 
 @dataclass(frozen=True)
 class Image:
-    """An image for one platform.
-
-    Attributes:
-        target: its bake target, which ignore entries match.
-        architecture: the architecture of this platform.
-        parts: the ROS image, then its parts.
-    """
+    """An image for one platform: the ROS image, then its parts. Ignore entries match its bake target."""
 
     target: str
     architecture: str
@@ -87,13 +75,8 @@ class Finding:
     Attributes:
         id: the advisory.
         severity: of `policy.SEVERITIES`.
-        package: the package.
-        installed: its version.
         fixed: the version that fixes it; empty if there is none.
-        part: the name of the part.
         kind: the kind of package, in trivy's words: debian, ubuntu, python-pkg.
-        title: its title.
-        url: a page about it.
         ignored: the reason why the policy ignores it; empty if it does not.
         until: the last day on which it does, such as 2027-05-31; empty if it does not.
         fails: whether it stops the image.
@@ -124,7 +107,6 @@ class PartReport:
 
     Attributes:
         packages: the number of packages that the scanner checked.
-        findings: their vulnerabilities.
         notes: remarks for readers, such as an operating system without further advisories.
     """
 
@@ -138,15 +120,13 @@ class Scanned:
     """The result of scanning an image.
 
     Attributes:
-        target, architecture: the image.
-        outcome: one of the three outcomes.
-        reason: its reason, in a sentence.
+        reason: why it has that outcome, in a sentence.
         findings: all findings, the worst first.
         packages: the number of checked packages.
         parts: the name and the digest of each part.
         notes: remarks for readers beside the findings.
         matched: indexes of the policy's ignore entries that matched a finding.
-        database: the state of the database; None if there was none.
+        database: None if there was none.
     """
 
     target: str
@@ -162,21 +142,19 @@ class Scanned:
 
     @property
     def failing(self) -> tuple[Finding, ...]:
-        """The findings that stop the image."""
         return tuple(finding for finding in self.findings if finding.fails)
 
     @property
-    def named(self) -> list[dict[str, Any]]:
-        """The findings that the records name: those that stop the image, then the worst of the others."""
-        names = ("id", "severity", "package", "installed", "fixed", "part")
+    def recorded(self) -> list[dict[str, Any]]:
+        """The findings for the records: those that stop the image, then the worst of the others."""
+        fields = ("id", "severity", "package", "installed", "fixed", "part")
         return [
-            {name: getattr(finding, name)[:LONGEST] for name in names}
+            {name: getattr(finding, name)[:LONGEST] for name in fields}
             | {"fails": finding.fails, "ignored": finding.ignored, "until": finding.until}
-            for finding in sorted(self.findings, key=lambda finding: not finding.fails)[:NAMED]
+            for finding in sorted(self.findings, key=lambda finding: not finding.fails)[:RECORDED]
         ]
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return {**asdict(self), "outcome": self.outcome.value, "exit_code": self.outcome.exit_code}
 
 
@@ -195,13 +173,12 @@ class Run:
     @property
     def outcome(self) -> Outcome:
         """The outcome of the run. If the scanner failed, that counts most, because something is unknown."""
-        found = {image.outcome for image in self.images}
-        if Outcome.SCANNER_FAILED in found:
+        outcomes = {image.outcome for image in self.images}
+        if Outcome.SCANNER_FAILED in outcomes:
             return Outcome.SCANNER_FAILED
-        return Outcome.POLICY_FAILED if Outcome.POLICY_FAILED in found or self.problems else Outcome.CLEAN
+        return Outcome.POLICY_FAILED if Outcome.POLICY_FAILED in outcomes or self.problems else Outcome.CLEAN
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return {
             "outcome": self.outcome.value,
             "exit_code": self.outcome.exit_code,
@@ -213,25 +190,32 @@ class Run:
 class Scanner:
     """Scans parts and remembers them: a shared part is scanned once, and fails once."""
 
-    def __init__(self, trivy: Trivy, shelf: Shelf, database: Database, say: Callable[[str], None] = lambda line: None):
-        """Scans with one state of the database, from the first part to the last.
-
-        Args:
-            trivy: the program.
-            shelf: the SBOMs.
-            database: the state with which all parts are compared.
-            say: gets messages, a line each.
-        """
-        self.trivy, self.shelf, self.database, self.say = trivy, shelf, database, say
+    def __init__(self, trivy: Trivy, shelf: Shelf, say: Callable[[str], None] = lambda line: None):
+        self.trivy, self.shelf, self.say = trivy, shelf, say
         self._reports: dict[str, PartReport | ScannerFailed] = {}
 
-    def report(self, part: Part) -> PartReport:
-        """The database's findings about a part.
+    @cached_property
+    def database(self) -> Database:
+        """The state with which all parts are compared, from the first to the last."""
+        return self.trivy.database()
 
-        Raises:
-            ScannerFailed: the scanner failed.
-        """
-        return _once(self._reports, part.digest, lambda: self._report(part))
+    def require_same_database(self) -> None:
+        """Checks that nobody exchanged the database during the scans."""
+        if self.trivy.database().digest != self.database.digest:
+            text = "the database of vulnerabilities changed during the run"
+            raise ScannerFailed(text, "let only one run at a time fetch it")
+
+    def report(self, part: Part) -> PartReport:
+        """The database's findings about a part."""
+        if part.digest not in self._reports:
+            try:
+                self._reports[part.digest] = self._report(part)
+            except ScannerFailed as error:
+                self._reports[part.digest] = error
+        report = self._reports[part.digest]
+        if isinstance(report, ScannerFailed):
+            raise report
+        return report
 
     def _report(self, part: Part) -> PartReport:
         self.say(f"scan {part.name}")
@@ -242,45 +226,26 @@ class Scanner:
         sbom.require(part.name, part.ros)
         report = self.trivy.scan(sbom.content, part.name)
         if lacking := self.trivy.lacks(sbom.sources):
+            text = f"{part.name}: the database knows nothing of {listed(lacking)}"
+            raise ScannerFailed(text, "check whether its publisher covers that system")
+        summary = part_report(report, part)
+        if summary.packages != len(sbom.packages):
             raise ScannerFailed(
-                f"{part.name}: the database knows nothing of {listed(lacking)}",
-                "check whether its publisher covers that system",
-            )
-        found = part_report(report, part)
-        if found.packages != len(sbom.packages):
-            raise ScannerFailed(
-                f"{part.name}: trivy looked at {found.packages} of {counted(len(sbom.packages), 'package')}",
+                f"{part.name}: trivy looked at {summary.packages} of {counted(len(sbom.packages), 'package')}",
                 "its operating system or a kind of package may be unknown to the pinned trivy",
             )
-        return found
+        return summary
 
 
 def part_report(report: Report, part: Part) -> PartReport:
-    """The findings in trivy's report about a part.
-
-    Raises:
-        ScannerFailed: it has an unknown severity.
-    """
-    packages, findings, notes = 0, set(), []
-    for result in report.Results or []:
-        packages += len(result.Packages or [])
-        for found in result.Vulnerabilities or []:
-            severity = found.Severity.lower()
-            if severity not in SEVERITIES:
-                raise ScannerFailed(f"{part.name}: trivy's report has the severity {severity!r}", ANOTHER)
-            findings.add(
-                Finding(
-                    id=found.VulnerabilityID,
-                    severity=severity,
-                    package=found.PkgName,
-                    installed=found.InstalledVersion,
-                    fixed=found.FixedVersion,
-                    part=part.name,
-                    kind=result.Type,
-                    title=found.Title,
-                    url=found.PrimaryURL,
-                )
-            )
+    """The findings in trivy's report about a part."""
+    results = report.Results or []
+    findings = {
+        _finding(vulnerability, result.Type, part)
+        for result in results
+        for vulnerability in result.Vulnerabilities or []
+    }
+    packages, notes = sum(len(result.Packages or []) for result in results), []
     system = report.Metadata.OS if report.Metadata else None
     if system and system.EOSL:
         notes.append(
@@ -290,13 +255,27 @@ def part_report(report: Report, part: Part) -> PartReport:
     return PartReport(packages, tuple(sorted(findings, key=lambda finding: finding.order)), tuple(notes))
 
 
+def _finding(vulnerability: Vulnerability, kind: str, part: Part) -> Finding:
+    severity = vulnerability.Severity.lower()
+    if severity not in SEVERITIES:
+        raise ScannerFailed(f"{part.name}: trivy's report has the severity {severity!r}", ANOTHER)
+    return Finding(
+        id=vulnerability.VulnerabilityID,
+        severity=severity,
+        package=vulnerability.PkgName,
+        installed=vulnerability.InstalledVersion,
+        fixed=vulnerability.FixedVersion,
+        part=part.name,
+        kind=kind,
+        title=vulnerability.Title,
+        url=vulnerability.PrimaryURL,
+    )
+
+
 def scan(image: Image, rules: Rules, scanner: Scanner, today: date) -> Scanned:
     """Scans an image. If that fails, it raises nothing: the failure is the outcome.
 
     Args:
-        image: the image.
-        rules: the policy.
-        scanner: the scanner, with the database of the whole run.
         today: the run's date, by which ignore entries expire.
     """
     reports, reasons = [], []
@@ -353,56 +332,37 @@ def _outcome(findings: Sequence[Finding], reasons: Sequence[str], parts: Sequenc
 def scan_images(
     images: Sequence[Image],
     rules: Rules,
-    trivy: Trivy,
-    shelf: Shelf,
-    *,
+    scanner: Scanner,
     now: datetime,
-    whole: bool,
-    targets: Collection[str] = (),
-    left_out: Collection[str] = (),
-    say: Callable[[str], None] = lambda line: None,
     keep: Callable[[Scanned], None] = lambda image: None,
-) -> Run:
+) -> list[Scanned]:
     """Scans images with the present database. If one fails, the others still go on.
 
     Args:
-        images: the images, in the order of the report.
-        rules: the policy.
-        trivy: the program, with its database.
-        shelf: the SBOMs.
-        now: the run's time, in UTC. It decides which ignore entries have expired, and whether the database is too old.
-        whole: whether these are all images, so that we can name ignore entries that match none of them.
-        targets: the targets of all images of the matrix, so that we can name ignore entries that are for none of them.
-        left_out: as `summarise` takes it.
-        say: gets messages, a line each.
+        now: the run's time. It decides which ignore entries have expired, and whether the database is too old.
         keep: gets each image once it is scanned. If the database has changed by the end, it gets each again, as a failed scan.
     """
-    now = now.astimezone(UTC)
-    found: list[Scanned] = []
+    today, scans = now.astimezone(UTC).date(), list[Scanned]()
     try:
-        database = trivy.database()
-        database.require_fresh(rules.policy.database, now)
-        scanner = Scanner(trivy, shelf, database, say)
+        scanner.database.require_fresh(rules.policy.database, now)
         for image in images:
-            found.append(scan(image, rules, scanner, now.date()))
-            keep(found[-1])
-        if trivy.database().digest != database.digest:
-            text = "the database of vulnerabilities changed during the run"
-            raise ScannerFailed(text, "let only one run at a time fetch it")
+            scans.append(scan(image, rules, scanner, today))
+            keep(scans[-1])
+        scanner.require_same_database()
     except ScannerFailed as error:
-        found = unscanned(images, error, keep)
-    return summarise(found, rules, now.date(), whole, targets, left_out)
+        return unscanned(images, error, keep)
+    return scans
 
 
 def unscanned(
     images: Sequence[Image], error: ScannerFailed, keep: Callable[[Scanned], None] = lambda image: None
 ) -> list[Scanned]:
-    """The results of images if the scanner could not begin: it is not installed, or has no database. `keep` gets each of them."""
+    """The results of images if the scanner could not begin: it is not installed, or has no database. `keep` gets each."""
     failed = (Outcome.SCANNER_FAILED, error.message)
-    found = [Scanned(image.target, image.architecture, *failed, parts=_digests(image)) for image in images]
-    for image in found:
+    scans = [Scanned(image.target, image.architecture, *failed, parts=_digests(image)) for image in images]
+    for image in scans:
         keep(image)
-    return found
+    return scans
 
 
 def summarise(
@@ -416,8 +376,6 @@ def summarise(
     """The result of a run, with the problems of the policy's own entries.
 
     Args:
-        images: all scanned images.
-        rules: the policy.
         today: the run's date.
         whole: whether these are all images. Images of the matrix that were never built are not among them, so they judge an ignore
             entry only if it is for one of them.
@@ -425,7 +383,7 @@ def summarise(
         left_out: the targets that a set does not have, and the matrix that it extends has. An entry that is for one of them says
             something about rosml's images: this run knows too little to call it useless.
     """
-    found = tuple(images)
+    scans = tuple(images)
     entries = rules.policy.ignore
     elsewhere = {index for index, entry in enumerate(entries) if any(map(entry.is_for, left_out))}
     only_there = {index for index in elsewhere if not any(map(entries[index].is_for, targets))}
@@ -433,33 +391,20 @@ def summarise(
     problems = [problem for index, problem in expired.items() if index not in only_there]
     problems += rules.for_nobody([*targets, *left_out]) if targets else []
     if whole:
-        matched = {index for image in found for index in image.matched}
+        matched = {index for image in scans for index in image.matched}
         judged = [
             index
             for index, entry in enumerate(entries)
             if index not in expired
             and index not in elsewhere
-            and any(entry.is_for(image.target) for image in found)
+            and any(entry.is_for(image.target) for image in scans)
             # It may match an image whose scan failed.
-            and not any(image.outcome is Outcome.SCANNER_FAILED and entry.is_for(image.target) for image in found)
+            and not any(image.outcome is Outcome.SCANNER_FAILED and entry.is_for(image.target) for image in scans)
         ]
         problems += rules.unmatched(matched, judged)
     texts = [problem.message(rules.document.name) for problem in sorted(problems, key=lambda problem: problem.line)]
-    return Run(found, tuple(texts))
+    return Run(scans, tuple(texts))
 
 
 def _digests(image: Image) -> dict[str, str]:
     return {part.name: part.digest for part in image.parts}
-
-
-def _once(known: dict[str, Known | ScannerFailed], key: str, work: Callable[[], Known]) -> Known:
-    """Does work once for a key. Returns its result or raises its error."""
-    if key not in known:
-        try:
-            known[key] = work()
-        except ScannerFailed as error:
-            known[key] = error
-    found = known[key]
-    if isinstance(found, ScannerFailed):
-        raise found
-    return found

@@ -38,14 +38,13 @@ class Refused:
     images: tuple[str, ...]
 
     def __str__(self) -> str:
-        mended = f"fixed in {self.fixed}" if self.fixed else "not fixed"
+        fix = f"fixed in {self.fixed}" if self.fixed else "not fixed"
         return (
-            f"{self.package} {self.version}: {self.id} ({self.severity}, {mended}) stops"
+            f"{self.package} {self.version}: {self.id} ({self.severity}, {fix}) stops"
             f" {counted(len(self.images), 'image')}, such as {self.images[0]}; in {some(list(self.locks))}"
         )
 
     def to_json(self) -> dict[str, Any]:
-        """For `--json`."""
         return asdict(self)
 
 
@@ -56,11 +55,10 @@ class Locks(Shelf):
         self.texts = texts
 
     def load(self, repository: str, digest: str) -> Sbom:
-        """The pins of a lock as an SBOM."""
         pinned = lock_file.versions(self.texts[digest]).items()
         wheels = [packages.Python(name=name, version=version) for name, version in pinned]
-        found = packages.Packages(system=packages.System(name="", version=""), apt=[], python=wheels, ros=[])
-        return Sbom(packages.cyclonedx(found, digest))
+        contents = packages.Packages(system=packages.System(name="", version=""), apt=[], python=wheels, ros=[])
+        return Sbom(packages.cyclonedx(contents, digest))
 
 
 def refused(
@@ -74,13 +72,8 @@ def refused(
     """The packages in locks that the policy does not allow. Fetches the database if there is none that is young enough.
 
     Args:
-        image_set: the images that are made of the locks.
         texts: the texts of the locks, by path.
         now: the time, by which entries of the policy expire.
-        say: gets messages, a line each.
-
-    Raises:
-        ScannerFailed: the scanner failed.
     """
     try:
         trivy.database().require_fresh(rules.policy.database, now)
@@ -92,12 +85,13 @@ def refused(
         for architecture in image.architectures
         if (locks := [path for path in image.locks if path in texts and path.split("/")[2] == architecture])
     ]
-    run = judge.scan_images(images, rules, trivy, Locks(texts), now=now, whole=False)
-    if failed := next((image for image in run.images if image.outcome is Outcome.SCANNER_FAILED), None):
+    scans = judge.scan_images(images, rules, judge.Scanner(trivy, Locks(texts)), now)
+    if failed := next((scan for scan in scans if scan.outcome is Outcome.SCANNER_FAILED), None):
         raise ScannerFailed(failed.reason)
-    found = defaultdict[tuple[str, str, str, str, str], tuple[dict[str, None], dict[str, None]]](lambda: ({}, {}))
-    for image in run.images:
-        for it in image.failing:
-            pinned, targets = found[it.package, it.installed, it.id, it.severity, it.fixed]
-            pinned[it.part] = targets[image.target] = None
-    return [Refused(*facts, tuple(pinned), tuple(targets)) for facts, (pinned, targets) in sorted(found.items())]
+    places = defaultdict[tuple[str, str, str, str, str], tuple[dict[str, None], dict[str, None]]](lambda: ({}, {}))
+    for scan in scans:
+        for finding in scan.failing:
+            key = finding.package, finding.installed, finding.id, finding.severity, finding.fixed
+            pins, targets = places[key]
+            pins[finding.part] = targets[scan.target] = None
+    return [Refused(*facts, tuple(pins), tuple(targets)) for facts, (pins, targets) in sorted(places.items())]

@@ -22,7 +22,7 @@ class _Model(Shape):
 
 
 class System(_Model):
-    """An operating system, as /etc/os-release names it."""
+    """As /etc/os-release names it."""
 
     name: str
     version: str
@@ -39,8 +39,6 @@ class Apt(_Model):
 
 
 class Python(_Model):
-    """A package of Python."""
-
     name: Name
     version: str
 
@@ -54,8 +52,6 @@ class Ros(_Model):
 
 
 class Packages(_Model):
-    """The packages of an image: of its operating system, of Python, and the ROS packages of apps."""
-
     system: System
     apt: list[Apt]
     python: list[Python]
@@ -63,25 +59,22 @@ class Packages(_Model):
 
 
 def read(data: bytes) -> Packages:
-    """Reads the file of components/containerize/contents.py.
-
-    Raises:
-        RosmlError: the file is damaged.
-    """
+    """Reads the file of components/containerize/contents.py."""
     try:
         return Packages.model_validate_json(untrusted.json_text(data))
     except ValueError:
         raise RosmlError("what the build says of the packages is damaged", "run it again") from None
 
 
-def cyclonedx(found: Packages, reference: str, of_ros: Callable[[str], Mapping[str, Any]] = lambda name: {}) -> bytes:
+def cyclonedx(
+    contents: Packages, reference: str, of_ros: Callable[[str], Mapping[str, Any]] = lambda name: {}
+) -> bytes:
     """The SBOM. The same packages give the same bytes.
 
     Versions and sources of Debian packages are in package URLs, and in properties with trivy's names:
     https://github.com/package-url/purl-spec/blob/main/types-doc/deb-definition.md
 
     Args:
-        found: the packages.
         reference: the image, by its digest.
         of_ros: further fields of a ROS package, by its name.
     """
@@ -91,17 +84,17 @@ def cyclonedx(found: Packages, reference: str, of_ros: Callable[[str], Mapping[s
         "specVersion": "1.5",
         "version": 1,
         "metadata": {"component": {"bom-ref": reference, "type": "container", "name": reference}},
-        "components": list({item["bom-ref"]: item for item in _components(found, of_ros)}.values()),
+        "components": list({item["bom-ref"]: item for item in _components(contents, of_ros)}.values()),
     }
     return oci.encoded(document)
 
 
-def _components(found: Packages, of_ros: Callable[[str], Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
-    system = found.system
+def _components(contents: Packages, of_ros: Callable[[str], Mapping[str, Any]]) -> Iterator[dict[str, Any]]:
+    system = contents.system
     whole = "-".join(filter(None, (system.name, system.version)))
     if whole:
         yield {"bom-ref": whole, "type": "operating-system", "name": system.name, "version": system.version}
-    for package in found.apt:
+    for package in contents.apt:
         qualifiers = {"arch": package.architecture, "distro": whole}
         yield _library(
             PackageURL("deb", system.name, package.name, package.version, qualifiers),
@@ -116,9 +109,9 @@ def _components(found: Packages, of_ros: Callable[[str], Mapping[str, Any]]) -> 
                 )
             ],
         )
-    for wheel in found.python:
+    for wheel in contents.python:
         yield _library(PackageURL("pypi", None, wheel.name, wheel.version), wheel.name, wheel.version)
-    for ros in found.ros:
+    for ros in contents.ros:
         licenses = [{"license": {"name": name}} for name in ros.licenses]
         yield _library(
             PackageURL("generic", "ros", ros.name, ros.version),

@@ -55,17 +55,13 @@ class Ignored(Facts):
     expires: date = Field(description="the last day on which it is ignored")
 
     def covers(self, target: str, advisory: str, package: str) -> bool:
-        """Whether it matches a vulnerability of a package in an image."""
         return self.id == advisory and self.package in (None, package) and self.is_for(target)
 
     def is_for(self, target: str) -> bool:
-        """Whether it matches an image."""
         return fnmatchcase(target, self.targets)
 
 
 class DatabaseRules(Facts):
-    """The source of known vulnerabilities."""
-
     repositories: Annotated[
         tuple[Annotated[str, Field(pattern=REPOSITORY, max_length=200)], ...], Field(min_length=1)
     ] = Field(description="repositories of trivy's database; if one does not answer, the next one is asked")
@@ -75,8 +71,6 @@ class DatabaseRules(Facts):
 
 
 class Policy(Facts):
-    """The policy of scans."""
-
     version: Annotated[Literal[1], BeforeValidator(only_whole)] = Field(description="version of this file's format")
     fail: Annotated[tuple[Severity, ...], Field(min_length=1)] = Field(description="severities that stop an image")
     unknown: Literal["fail", "list"] = Field(
@@ -87,18 +81,12 @@ class Policy(Facts):
     ignore: tuple[Ignored, ...] = Field(default=(), description="what does not stop images, though it is found")
 
     def stops(self, severity: str) -> bool:
-        """Whether a vulnerability of a severity stops an image."""
         return severity in self.fail or (severity == "unknown" and self.unknown == "fail")
 
 
 @dataclass(frozen=True)
 class Rules:
-    """A policy with its places in the file.
-
-    Attributes:
-        policy: the policy.
-        document: the file, with the place of each value.
-    """
+    """A policy, and its file with the place of each value."""
 
     policy: Policy
     document: source.Document
@@ -147,15 +135,9 @@ class Rules:
 
 
 def load(file: Path) -> Rules:
-    """Reads a policy.
-
-    Raises:
-        RosmlError: the file is missing or unreadable (exit code 2).
-        InputError: with every problem of the file.
-    """
+    """Reads a policy. Raises an `InputError` with every problem of the file."""
     return parsed(source.read(file, "--policy"))
 
 
 def parsed(document: source.Document) -> Rules:
-    """The policy of a document; raises as `load` does."""
     return Rules(validate.checked(document, Policy, MEANING), document)

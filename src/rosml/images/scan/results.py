@@ -16,22 +16,14 @@ from rosml.base import files
 from rosml.images.records.store import Entry
 
 FORMAT = 1
-"""The version of the file's format."""
-
 
 PAUSE_SECONDS = 30.0
-"""Seconds between two writes of the file during a scan."""
+"""Between two writes of the file during a scan."""
 
 
 @dataclass
 class Results:
-    """Facts for entries of the records.
-
-    Attributes:
-        file: the file to write.
-        date: the run's date.
-        entries: the facts, by target and architecture.
-    """
+    """Facts for entries of the records, by target and architecture; `date` is the run's."""
 
     file: Path
     date: str
@@ -47,7 +39,6 @@ class Results:
             self.write()
 
     def write(self) -> None:
-        """Writes the file."""
         content = {"version": FORMAT, "date": self.date, "entries": list(self.entries.values())}
         files.write(self.file, json.dumps(content))
         self._written = time.monotonic()

@@ -63,11 +63,7 @@ def sarif(scanned: Scanned) -> dict[str, Any]:
 
 
 def write(folder: Path, run: Run) -> list[Path]:
-    """Writes a run's reports: `<target>.<architecture>.sarif` for each image, and `scan.json` for all of them.
-
-    Raises:
-        RosmlError: a report cannot be written.
-    """
+    """Writes a run's reports: `<target>.<architecture>.sarif` for each image, and `scan.json` for all of them."""
     folder.mkdir(parents=True, exist_ok=True)
     reports: dict[str, Any] = {f"{image.target}.{image.architecture}.sarif": sarif(image) for image in run.images}
     for name, content in {**reports, "scan.json": run.to_json()}.items():
@@ -85,8 +81,8 @@ def _rule(finding: Finding) -> dict[str, Any]:
 
 
 def _result(scanned: Scanned, finding: Finding) -> dict[str, Any]:
-    mended = f"fixed in {finding.fixed}" if finding.fixed else "not fixed in any version"
-    text = f"{finding.package} {finding.installed} of {finding.part}: {finding.title or finding.id}; {mended}"
+    fix = f"fixed in {finding.fixed}" if finding.fixed else "not fixed in any version"
+    text = f"{finding.package} {finding.installed} of {finding.part}: {finding.title or finding.id}; {fix}"
     key = "\n".join((scanned.target, scanned.architecture, finding.part, finding.package, finding.id))
     return {
         "ruleId": finding.id,
@@ -121,5 +117,5 @@ def finding_rows(findings: Sequence[Finding]) -> Iterator[tuple[str, ...]]:
 
 def summary(scanned: Scanned) -> str:
     """One line: `jazzy-base amd64: clean: 12 findings, none of which the policy stops (525 packages)`."""
-    looked = f" ({counted(scanned.packages, 'package')})" if scanned.packages else ""
-    return f"{scanned.target} {scanned.architecture}: {scanned.outcome.value}: {scanned.reason}{looked}"
+    checked = f" ({counted(scanned.packages, 'package')})" if scanned.packages else ""
+    return f"{scanned.target} {scanned.architecture}: {scanned.outcome.value}: {scanned.reason}{checked}"

@@ -25,16 +25,15 @@ FORMAT = {"io.rosml.sbom.format": "1"}
 OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")
 """The package URL of an operating system's package. The group is the system."""
 
-
 REMEDY = "build it again: rosml publish build --force --only NAME"
 
 
-class _Said(Shape):
+class _Model(Shape):
     model_config = ConfigDict(frozen=True, strict=True)
 
 
-class Component(_Said):
-    """A component in an SBOM: a package, or an operating system."""
+class Component(_Model):
+    """A package, or an operating system."""
 
     ref: str = Field(alias="bom-ref")
     type: str
@@ -43,19 +42,15 @@ class Component(_Said):
     purl: str = ""
 
 
-class Subject(_Said):
-    """The subject of an SBOM."""
-
+class Subject(_Model):
     name: str = ""
 
 
-class About(_Said):
-    """The metadata of an SBOM."""
-
+class About(_Model):
     component: Subject | None = None
 
 
-class Document(_Said):
+class Document(_Model):
     """The part of an SBOM that we read."""
 
     bomFormat: Literal["CycloneDX"]
@@ -69,42 +64,28 @@ LARGEST = 256 << 20
 
 @dataclass(frozen=True)
 class Sbom:
-    """An SBOM.
-
-    Attributes:
-        content: its bytes in the registry.
-    """
-
     content: bytes
 
     def is_of(self, digest: str) -> bool:
-        """Whether its subject is an image.
-
-        Raises:
-            ScannerFailed: it is no CycloneDX.
-        """
+        """Whether its subject is an image."""
         about = self.document.metadata
         return bool(about and about.component and about.component.name.endswith(f"@{digest}"))
 
     @cached_property
     def document(self) -> Document:
-        """The content as data.
-
-        Raises:
-            ScannerFailed: it is no CycloneDX.
-        """
-        remedy = "delete that artifact in the registry"
         try:
             return Document.model_validate(untrusted.json_value(self.content, LARGEST))
-        except ValidationError as error:
-            raise ScannerFailed(f"what is kept as an SBOM is none: {first_of(error)}", remedy) from None
         except ValueError as error:
-            raise ScannerFailed(f"what is kept as an SBOM is none: {error}", remedy) from None
+            reason = first_of(error) if isinstance(error, ValidationError) else error
+            text = f"what is kept as an SBOM is none: {reason}"
+            raise ScannerFailed(text, "delete that artifact in the registry") from None
 
     @property
     def packages(self) -> list[Component]:
-        """Its packages, without those of another operating system: a wheel's SBOM names the packages from which its libraries were
-        copied. No advisory of this system covers these."""
+        """Its packages, without those of another operating system, which no advisory of this system covers.
+
+        A wheel's SBOM names the packages from which the wheel's libraries were copied.
+        """
         family = self.system.partition(" ")[0]
         libraries = [item for item in self.document.components if item.type == "library"]
         origins = [OF_A_SYSTEM.match(item.purl) for item in libraries]
@@ -112,10 +93,9 @@ class Sbom:
 
     @property
     def system(self) -> str:
-        """Its operating system, such as `debian 12.12`; empty if it has none. A system without a version does not count: it is from a
-        wheel's SBOM, and tells where the wheel's libraries came from."""
-        found = [item for item in self.document.components if item.type == "operating-system" and item.version]
-        return f"{found[0].name} {found[0].version}" if found else ""
+        """Its operating system, such as `debian 12.12`; empty if it has none. One without a version is from a wheel's SBOM."""
+        systems = [item for item in self.document.components if item.type == "operating-system" and item.version]
+        return f"{systems[0].name} {systems[0].version}" if systems else ""
 
     @property
     def sources(self) -> list[str]:
@@ -131,9 +111,6 @@ class Sbom:
         Args:
             name: the part's name, for messages.
             ros: whether it is a ROS image; any other part is made of wheels.
-
-        Raises:
-            ScannerFailed: it lacks the operating system, or its packages.
         """
         if not ros and not self.packages:
             raise ScannerFailed(
@@ -156,19 +133,13 @@ class Shelf:
     """
 
     def __init__(self, client: Registry, recorded: Mapping[str, str]) -> None:
-        """Reads SBOMs from a registry.
-
-        Args:
-            client: the registry's client.
-            recorded: from the records: digests of artifacts with SBOMs, by the digests of their manifests.
-        """
+        """`recorded` is from the records: digests of artifacts with SBOMs, by the digests of their manifests."""
         self.client, self.recorded = client, recorded
 
     def load(self, repository: str, digest: str) -> Sbom:
         """The SBOM of a manifest.
 
         Raises:
-            RosmlError: the registry fails.
             ScannerFailed: the records name none, or the one that they name is missing, not ours, or of another image.
         """
         artifact = self.recorded.get(digest)
@@ -176,7 +147,7 @@ class Shelf:
         if manifest is None:
             raise ScannerFailed("the records name no SBOM of it" if not artifact else "its SBOM is not there", REMEDY)
         if manifest.subject == digest and len(manifest.layers) == 1 and manifest.annotations.items() >= FORMAT.items():
-            found = Sbom(self.client.part(repository, manifest.layers[0]))
-            if found.is_of(digest):
-                return found
+            document = Sbom(self.client.part(repository, manifest.layers[0]))
+            if document.is_of(digest):
+                return document
         raise ScannerFailed("what the records name as its SBOM is another thing", REMEDY)

@@ -65,15 +65,9 @@ class Database:
     source: str = ""
 
     def to_json(self) -> dict[str, str]:
-        """For records and reports."""
         return asdict(self)
 
     def require_fresh(self, rules: DatabaseRules, now: datetime) -> None:
-        """Checks that it is young enough.
-
-        Raises:
-            ScannerFailed: it is too old, or was made in the future.
-        """
         age = now - _moment(self.updated)
         if age > timedelta(hours=rules.max_age_hours):
             raise ScannerFailed(
@@ -87,15 +81,13 @@ class Database:
             )
 
 
-class _Said(Shape):
+class _Model(Shape):
     """Data from trivy, by its own names."""
 
     model_config = ConfigDict(frozen=True, strict=True)
 
 
-class Vulnerability(_Said):
-    """A known vulnerability in a package."""
-
+class Vulnerability(_Model):
     VulnerabilityID: str
     PkgName: str
     InstalledVersion: str
@@ -105,7 +97,7 @@ class Vulnerability(_Said):
     PrimaryURL: str = ""
 
 
-class Result(_Said):
+class Result(_Model):
     """Trivy's result for packages of one kind."""
 
     Type: str = ""
@@ -113,7 +105,7 @@ class Result(_Said):
     Vulnerabilities: list[Vulnerability] | None = None
 
 
-class System(_Said):
+class System(_Model):
     """The operating system. EOSL: it gets no more advisories."""
 
     Family: str = ""
@@ -121,23 +113,17 @@ class System(_Said):
     EOSL: bool = False
 
 
-class About(_Said):
-    """Trivy's facts about the whole."""
-
+class About(_Model):
     OS: System | None = None
 
 
-class Report(_Said):
-    """Trivy's report about an SBOM."""
-
+class Report(_Model):
     SchemaVersion: int
     Metadata: About | None = None
     Results: list[Result] | None = None
 
 
-class _Database(_Said):
-    """The metadata of trivy's database."""
-
+class _Database(_Model):
     Version: int = 0
     UpdatedAt: str
 
@@ -170,15 +156,11 @@ class Trivy:
 
     @classmethod
     def find(cls, root: Path, folder: Path | None = None, environment: Mapping[str, str] = os.environ) -> Trivy:
-        """The scanner of a checkout, from `rosml setup scanner`.
+        """The scanner of a checkout, from `rosml setup scanner`, if it has the pinned version.
 
         Args:
-            root: the checkout.
-            folder: the folder for the database; `.state/trivy` by default.
+            folder: for the database; `.state/trivy` by default.
             environment: the variables that its calls inherit.
-
-        Raises:
-            ScannerFailed: there is none, or it has not the pinned version.
         """
         try:
             program = str(untrusted.json_value((root / ".state" / "scanner.json").read_bytes())["trivy"])
@@ -186,16 +168,15 @@ class Trivy:
             raise ScannerFailed("the scanner is not installed", INSTALL) from None
         except (OSError, ValueError, KeyError, TypeError):
             raise ScannerFailed(f"{root}/.state/scanner.json is damaged", INSTALL) from None
-        found = cls(
-            program, pinned_version(root, "trivy", ScannerFailed), folder or root / ".state" / "trivy", environment
-        )
-        said = found.run("--version", seconds=VERSION_SECONDS)
-        version = next((line.split()[-1].lstrip("v") for line in said.splitlines() if line.startswith("Version:")), "")
-        if version != found.version:
+        pinned = pinned_version(root, "trivy", ScannerFailed)
+        trivy = cls(program, pinned, folder or root / ".state" / "trivy", environment)
+        lines = trivy.run("--version", seconds=VERSION_SECONDS).splitlines()
+        version = next((line.split()[-1].lstrip("v") for line in lines if line.startswith("Version:")), "")
+        if version != pinned:
             raise ScannerFailed(
-                f"{program} is trivy {version or 'of unknown version'}, and {found.version} is pinned", INSTALL
+                f"{program} is trivy {version or 'of unknown version'}, and {pinned} is pinned", INSTALL
             )
-        return found
+        return trivy
 
     # ---- work -----------------------------------------------------------------------------------------------------
     def scan(self, sbom: bytes, what: str) -> Report:
@@ -204,9 +185,6 @@ class Trivy:
         Args:
             sbom: CycloneDX.
             what: the SBOM's subject, for messages.
-
-        Raises:
-            ScannerFailed: trivy failed or wrote no report, or there is no database.
         """
         with tempfile.TemporaryDirectory(prefix="rosml-scan-") as folder:
             file = Path(folder) / "sbom.cdx.json"
@@ -224,43 +202,28 @@ class Trivy:
         """Fetches the database from the first repository that has it. Call it once per run and machine.
 
         Args:
-            rules: the rules with the repositories.
             pinned: the common state of all shards of a run, from `resolve`; if empty, the state of the tags.
-            say: gets messages, a line each.
-
-        Raises:
-            ScannerFailed: no repository gave it, or it cannot be read.
         """
         reasons: list[str] = []
         for attempt in range(ATTEMPTS):
             if attempt:
                 time.sleep(self.pause * 2 ** (attempt - 1))
             for source in (pinned,) if pinned else rules.repositories:
-                # An older one that is not finished, or that trivy takes for new enough, must not stand in for it.
+                # An older one that is not finished, or that trivy takes for new enough, must not count.
                 for name in ("trivy.db", "metadata.json", "source"):
                     (self.folder / "db" / name).unlink(missing_ok=True)
                 say(f"fetch the database of vulnerabilities from {source}")
                 try:
-                    self.run(
-                        *("image", "--download-db-only", "--no-progress", "--db-repository", source),
-                        seconds=FETCH_SECONDS,
-                    )
+                    options = ("--download-db-only", "--no-progress", "--db-repository", source)
+                    self.run("image", *options, seconds=FETCH_SECONDS)
                     (self.folder / "db" / "source").write_text(source)
                     return self.database()
                 except ScannerFailed as error:
                     reasons.append(f"{source}: {error.message}")
-        raise ScannerFailed(
-            "the database of vulnerabilities cannot be fetched:\n"
-            + "\n".join(f"    {text}" for text in dict.fromkeys(reasons)),
-            "see database.repositories in the policy, and whether this machine reaches them",
-        )
+        raise _unreachable("the database of vulnerabilities cannot be fetched", reasons)
 
     def database(self) -> Database:
-        """The present database.
-
-        Raises:
-            ScannerFailed: there is none, or it is damaged or has another format.
-        """
+        """The present database."""
         folder = self.folder / "db"
         try:
             facts = _Database.model_validate(untrusted.json_value((folder / "metadata.json").read_bytes()))
@@ -292,11 +255,7 @@ class Trivy:
 
     # ---- calls ----------------------------------------------------------------------------------------------------
     def run(self, *arguments: str, seconds: float) -> str:
-        """Calls trivy. Returns its output.
-
-        Raises:
-            ScannerFailed: trivy cannot be run, hangs, or its exit code is not 0.
-        """
+        """Calls trivy. Returns its output."""
         self.folder.mkdir(parents=True, exist_ok=True)
         env = {
             name: text for name, text in self.environment.items() if name in OUR_OWN or not name.startswith("TRIVY_")
@@ -324,46 +283,27 @@ class Trivy:
 
 
 def read_report(written: bytes, what: str) -> Report:
-    """Trivy's report.
-
-    Args:
-        written: the text from trivy.
-        what: its subject, for messages.
-
-    Raises:
-        ScannerFailed: it is no such report.
-    """
+    """Parses the text from trivy; `what` is its subject, for messages."""
+    text = f"trivy did not write a report about {what}"
     try:
-        report = Report.model_validate(_object(written, f"report about {what}"))
+        report = Report.model_validate(untrusted.json_value(written, WRITTEN_BYTES))
     except ValidationError as error:
-        raise ScannerFailed(f"trivy did not write a report about {what}: {first_of(error)}", ANOTHER) from None
-    if report.SchemaVersion != REPORT_FORMAT:
-        raise ScannerFailed(f"trivy did not write a report about {what}", ANOTHER)
-    return report
-
-
-def _object(written: bytes, what: str) -> dict[str, Any]:
-    try:
-        found = untrusted.json_value(written, WRITTEN_BYTES)
+        raise ScannerFailed(f"{text}: {first_of(error)}", ANOTHER) from None
     except ValueError as error:
-        raise ScannerFailed(f"{what}: trivy ended well, and wrote no JSON object: {error}", ANOTHER) from None
-    if not isinstance(found, dict):
-        raise ScannerFailed(f"{what}: trivy ended well, and wrote no JSON object", ANOTHER)
-    return found
+        raise ScannerFailed(f"{text}: it is no JSON: {error}", ANOTHER) from None
+    if report.SchemaVersion != REPORT_FORMAT:
+        raise ScannerFailed(text, ANOTHER)
+    return report
 
 
 def resolve(rules: DatabaseRules, head: Callable[[str], str]) -> str:
     """The newest state of the database, for all shards of a run.
 
     Args:
-        rules: the rules with the repositories.
         head: returns the digest of a reference; empty if there is none.
 
     Returns:
         Repository and digest, for `Trivy.fetch`.
-
-    Raises:
-        ScannerFailed: no repository tells its state.
     """
     reasons = []
     for repository in rules.repositories:
@@ -375,17 +315,20 @@ def resolve(rules: DatabaseRules, head: Callable[[str], str]) -> str:
             reasons.append(f"{name}:{tag}: there is no such tag")
         except RosmlError as error:
             reasons.append(f"{name}:{tag}: {error.message}")
-    raise ScannerFailed(
-        "no repository says which database of vulnerabilities it has:\n" + "\n".join(f"    {text}" for text in reasons),
-        "see database.repositories in the policy, and whether this machine reaches them",
-    )
+    raise _unreachable("no repository says which database of vulnerabilities it has", reasons)
+
+
+def _unreachable(text: str, reasons: Iterable[str]) -> ScannerFailed:
+    lines = "".join(f"\n    {reason}" for reason in dict.fromkeys(reasons))
+    remedy = "see database.repositories in the policy, and whether this machine reaches them"
+    return ScannerFailed(f"{text}:{lines}", remedy)
 
 
 def _call(argv: Sequence[str], env: Mapping[str, str], folder: str, seconds: float) -> tuple[int, str, str]:
-    """Runs a program. Returns exit code, output and errors."""
+    """Returns exit code, output and errors."""
     try:
         # trivy itself stops at its timeout, and says in what it was stuck; this is for one that does not.
-        done = subprocess.run(
+        process = subprocess.run(
             argv,
             stdin=subprocess.DEVNULL,
             capture_output=True,
@@ -400,7 +343,7 @@ def _call(argv: Sequence[str], env: Mapping[str, str], folder: str, seconds: flo
         raise ScannerFailed(f"cannot run {argv[0]}: {error.strerror}", INSTALL) from None
     except subprocess.TimeoutExpired:
         raise ScannerFailed(f"trivy did not end within {seconds:.0f} s", "run it again") from None
-    return done.returncode, done.stdout, done.stderr
+    return process.returncode, process.stdout, process.stderr
 
 
 def _reason(errors: str) -> str:
@@ -413,11 +356,7 @@ def _reason(errors: str) -> str:
 
 
 def _written_moment(text: str) -> str:
-    """A time of trivy's, in UTC and whole seconds.
-
-    Raises:
-        ValueError: the text is no time, or is the year 1, which means never.
-    """
+    """A time of trivy's, in UTC and whole seconds. Its year 1 means never: a `ValueError`."""
     if text.startswith("0001-"):
         raise ValueError("never")
     moment = datetime.fromisoformat(re.sub(r"\.\d+", "", text).replace("Z", "+00:00")).astimezone(UTC)

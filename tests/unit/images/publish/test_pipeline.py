@@ -369,7 +369,7 @@ def live(registry: Publisher, run: Run, syncs: dict[str, str], monkeypatch: pyte
     """
     real = run.maker.build_image
 
-    def build_image(image: Image, architecture: str, parts: dict[str, str], moment: str) -> maker.Made:
+    def build_image(image: Image, architecture: str, parts: dict[str, str], moment: str) -> maker.NewImage:
         if sync := syncs.pop(image.target, ""):
             registry.packages["alpha"] = sync
         if registry.packages[image.distribution] != moment:

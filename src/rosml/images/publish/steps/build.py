@@ -10,7 +10,7 @@ from functools import partial
 from rosml.base.clock import now
 from rosml.base.errors import RosmlError
 from rosml.images.builds import contents, package_state
-from rosml.images.builds.maker import Made, Wanted
+from rosml.images.builds.maker import BuildRequest, NewImage
 from rosml.images.image_set.model import Part
 from rosml.images.publish.items import UNDESCRIBED, Item
 from rosml.images.publish.new_entry import new_entry
@@ -52,7 +52,7 @@ def _build_together(run: Run, items: Sequence[Item]) -> None:
     for item in items:
         task = run.state.task(item, ahead=False)
         if not task.hindered and task.steps[:1] == ("build",) and run.state.reasons(item) != [UNDESCRIBED]:
-            builds.append(Wanted(item.thing, item.architecture, run.parts(item), _packages(run, item)))
+            builds.append(BuildRequest(item.thing, item.architecture, run.parts(item), _packages(run, item)))
     if len(builds) > 1:
         started = time.monotonic()
         run.maker.build_together(builds)
@@ -102,7 +102,7 @@ def _postpone_if_packages_moved(run: Run, distribution: str, before: str) -> Non
         )
 
 
-def _new_bytes(run: Run, item: Item, before: Entry, output: Made) -> int:
+def _new_bytes(run: Run, item: Item, before: Entry, output: NewImage) -> int:
     """Bytes of the new layers of an item: without the layers of its needs, and of its earlier manifest."""
     layers = _layer_sizes(run, item, output.digest)
     present = _layer_sizes(run, item, before.digest)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 
 from rosml.base.clock import now
-from rosml.images.builds.maker import Made
+from rosml.images.builds.maker import NewImage
 from rosml.images.image_set.model import Image
 from rosml.images.publish.items import Item
 from rosml.images.publish.new_entry import new_entry
@@ -30,4 +30,4 @@ def _join(run: Run, item: Item, entry: Entry) -> Entry:
     assert isinstance(item.thing, Image)
     started, parts = now(), run.parts(item)
     digest = run.maker.join(item.thing, item.architecture, parts)
-    return new_entry(run, item, entry, Made(digest, parts), started)
+    return new_entry(run, item, entry, NewImage(digest, parts), started)

@@ -49,12 +49,11 @@ def scan(
     started, date, targets = time.monotonic(), _time(state.date), state.image_set.by_target
     whole, missing = _is_whole(state, images), left_out(state.image_set)
     if isinstance(trivy, ScannerFailed):
-        unscanned = judge.unscanned([*images.values()], trivy, keep)
-        verdict = judge.summarise(unscanned, rules, date.date(), whole, targets, missing)
+        scans = judge.unscanned([*images.values()], trivy, keep)
     else:
-        facts: dict[str, Any] = {"now": date, "whole": whole, "targets": targets, "left_out": missing}
         shelf = Shelf(state.place.client, {entry.digest: entry.sbom for entry in state.entries.values() if entry.sbom})
-        verdict = judge.scan_images([*images.values()], rules, trivy, shelf, **facts, say=run.say, keep=keep)
+        scans = judge.scan_images([*images.values()], rules, judge.Scanner(trivy, shelf, run.say), date, keep)
+    verdict = judge.summarise(scans, rules, date.date(), whole, targets, missing)
     run.outcomes += _outcomes(verdict, time.monotonic() - started)
     if reports:
         sarif.write(reports, verdict)
@@ -75,7 +74,7 @@ def _facts(scanned: judge.Scanned, policy: str) -> dict[str, Any]:
         "packages": scanned.packages,
         "findings": dict(Counter(finding.severity for finding in scanned.findings)),
         "failing": sorted({finding.id for finding in scanned.failing}),
-        "named": scanned.named,
+        "named": scanned.recorded,
     }
 
 

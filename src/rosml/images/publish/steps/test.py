@@ -31,7 +31,7 @@ def _test(run: Run, item: Item, entry: Entry) -> Entry:
     assert isinstance(item.thing, Image)
     names = run.state.tests.to_run(item)
     report = run.maker.test(item.thing, item.architecture, entry.digest, run.parts(item), names)
-    reason = f"tests failed: {some(list(report.failures))}\n{report.said}".strip()
+    reason = f"tests failed: {some(list(report.failures))}\n{report.output}".strip()
     return replace(
         entry,
         tested=run.state.tests.digest(item, names),
