@@ -1,7 +1,4 @@
-"""Installs ROS on an image of somebody else, with the same steps that build our own ROS images.
-
-The image keeps its variables, its user, its programs, and its entrypoint, which our entrypoint calls.
-"""
+"""Installs ROS on an image of somebody else, which keeps its variables, user, programs and entrypoint."""
 
 from __future__ import annotations
 
@@ -81,26 +78,20 @@ class Adopted:
     """An image of somebody else, on which ROS is installed.
 
     Attributes:
-        reference: by digest, or of an image in the user's Docker.
-        image: the ROS image whose ROS is installed.
         environment, user, shell, labels: from the config.
-        entrypoint: the words of its entrypoint that ours calls before the command.
-        carries: CUDA and frameworks that the image has.
-        sync: the sync date of ROS's apt repository; empty if the packages come from elsewhere.
-        system: the base image of the distribution's operating system, if steps take a tool from it.
     """
 
-    reference: str
+    reference: str  # by digest, or of an image in the user's Docker
     image_set: ImageSet
-    image: Image
+    image: Image  # the ROS image whose ROS is installed
     environment: Mapping[str, str] = field(default_factory=dict)
     user: str = ""
-    entrypoint: Sequence[str] = ()
+    entrypoint: Sequence[str] = ()  # the words of its entrypoint that ours calls before the command
     shell: Sequence[str] = ()
     labels: Mapping[str, str] = field(default_factory=dict)
-    carries: Sequence[str] = ()
-    sync: str = ""
-    system: str = ""
+    carries: Sequence[str] = ()  # CUDA and frameworks that the image has
+    sync: str = ""  # the sync date of ROS's apt repository; empty if the packages come from elsewhere
+    system: str = ""  # the base image of the distribution's operating system, if steps take a tool from it
 
     @cached_property
     def inputs(self) -> str:
@@ -113,17 +104,11 @@ class Adopted:
 
 @dataclass(frozen=True)
 class Query:
-    """What to look for in an image.
+    """What to look for in an image."""
 
-    Attributes:
-        ros: the distributions to look for in /opt/ros.
-        frameworks: Python packages.
-        scripts: paths of which the first existing one is its entrypoint.
-    """
-
-    ros: tuple[str, ...] = ()
+    ros: tuple[str, ...] = ()  # the distributions to look for in /opt/ros
     frameworks: tuple[str, ...] = ()
-    scripts: tuple[str, ...] = ()
+    scripts: tuple[str, ...] = ()  # paths of which the first existing one is its entrypoint
 
 
 def look(services: Services, reference: str, platform: str, query: Query) -> System:
@@ -232,8 +217,7 @@ _SOURCE = re.compile(r"^[ \t]*(deb[ \t]|Types:(.*[ \t])?deb([ \t]|$))", re.MULTI
 
 
 def stage(services: Services, adopted: Adopted) -> Path:
-    """A folder with the files that the steps read. buildx visits every file of its context, and a checkout may have a
-    million files."""
+    """A folder with the files that the steps read: buildx visits every file of its context, and a checkout has many."""
     place = services.state / "adopted" / f"steps-{adopted.inputs}"
     if not place.is_dir():
         place.parent.mkdir(parents=True, exist_ok=True)
@@ -265,8 +249,7 @@ def base_targets(
     Args:
         name: of the last target. The names of the others begin with it.
         common: settings of all targets, such as platforms, secrets and network.
-        nothing: an empty folder.
-        steps: the folder from `stage`.
+        nothing, steps: the folders from `empty` and `stage`.
     """
     image_set = adopted.image_set
     every = targets.of(image_set)
@@ -291,9 +274,8 @@ def base_targets(
             else f"target:{on}"
             for context in target.contexts
         }
-        arguments = {
-            key: text for key, value in target.arguments.items() if (text := _argument(value, adopted.sync)) is not None
-        }
+        values = ((key, _argument(value, adopted.sync)) for key, value in target.arguments.items())
+        arguments = {key: text for key, text in values if text is not None}
         on = f"{name}-{step.lstrip('_')}"
         bake_targets[on] = {
             **common,
@@ -315,7 +297,7 @@ def base_targets(
 
 
 def _arguments(adopted: Adopted) -> list[str]:
-    """The variables of an image that have the name of an argument of our Dockerfile, and would count if it has no value."""
+    """The image's variables with the name of an argument of our Dockerfile. They would count if it has no value."""
     lines = re.findall(r"^ARG (.+)$", (ROOT / "Dockerfile").read_text(), re.MULTILINE)
     declared = {word.partition("=")[0] for line in lines for word in line.split()}
     return [name for name in adopted.environment if name in declared]
@@ -334,38 +316,26 @@ _OWN = re.compile(r"(NVIDIA_)?(CUDA|CUDNN|PYTORCH|TORCH|TENSORFLOW)_VERSION")
 
 def _labels(adopted: Adopted, row: Mapping[str, Value]) -> dict[str, str]:
     """The labels that `rosml join` reads. A build cannot remove others with our prefix, so they become empty."""
-    texts = {
-        name: str(value) for name, value in row.items() if name.startswith(labels.PREFIX) and isinstance(value, str)
-    }
-    carried = " ".join([*adopted.carries, *(name for name in sorted(adopted.environment) if _OWN.fullmatch(name))])
-    ours = {name: value for name, value in {**texts, labels.OWN: carried}.items() if value and name != labels.RUNTIME}
+    carried = " ".join([*adopted.carries, *filter(_OWN.fullmatch, sorted(adopted.environment))])
+    texts = {name: value for name, value in row.items() if isinstance(value, str)} | {labels.OWN: carried}
+    ours = {name: value for name, value in texts.items() if name.startswith(labels.PREFIX) and value}
+    ours.pop(labels.RUNTIME, None)
     return dict.fromkeys((name for name in adopted.labels if name.startswith(labels.PREFIX)), "") | ours
 
 
 def _last(adopted: Adopted, kept: Iterable[str]) -> str:
-    """The Dockerfile of the last target: variables, shell, user and entrypoint of the image."""
     lines = ["FROM ros"]
     for key in kept:
         lines += [f"ARG KEPT_{key}", f"ENV {key}=${{KEPT_{key}}}"]
     lines.append(f"SHELL {json.dumps(adopted.shell or _DEFAULT_SHELL)}")
     if adopted.user:
         lines.append(f"USER {adopted.user}")
-    return "\n".join(
-        [
-            *lines,
-            "STOPSIGNAL SIGTERM",
-            f"ENTRYPOINT {json.dumps([*ENTRYPOINT, *adopted.entrypoint])}",
-            'CMD ["bash"]',
-            "",
-        ]
-    )
+    entrypoint = json.dumps([*ENTRYPOINT, *adopted.entrypoint])
+    return "\n".join([*lines, "STOPSIGNAL SIGTERM", f"ENTRYPOINT {entrypoint}", 'CMD ["bash"]', ""])
 
 
 def scripts(entrypoint: Sequence[str], environment: Mapping[str, str]) -> tuple[str, ...]:
-    """The paths at which the script of an image's entrypoint may be: a script is all that it has, but for an init and a shell.
-
-    None if it has other words: whatever takes these may not pass the command on.
-    """
+    """The paths at which the script of an image's entrypoint may be, if it has no other words but an init and a shell."""
     words = _without_init(entrypoint)
     if len(words) == 2 and PurePosixPath(words[0]).name in _SHELLS:
         words = words[1:]
@@ -379,7 +349,6 @@ def scripts(entrypoint: Sequence[str], environment: Mapping[str, str]) -> tuple[
 
 
 def ends_in_the_command(script: str) -> bool:
-    """Whether a shell script becomes the command that it gets, at its end."""
     lines = [line for raw in script.splitlines() if (line := raw.strip()) and not line.startswith("#")]
     if not _SHEBANG.match(script) or not lines:
         return False

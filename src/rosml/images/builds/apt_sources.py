@@ -28,7 +28,7 @@ from rosml.registry.documents import Descriptor
 from rosml.registry.oci import Manifest
 
 SOURCE_BYTES = 1 << 20
-"""More than all files of apt sources of an image have."""
+"""More than all apt sources of an image have."""
 
 LAYER_BYTES = 16 << 30
 """More than any layer of a base image has, unpacked."""
@@ -48,17 +48,11 @@ Texts = dict[str, str]
 
 @dataclass(frozen=True)
 class Source:
-    """A source that apt asks for lists of packages.
+    """A source that apt asks for lists of packages."""
 
-    Attributes:
-        address: of the archive, without a slash at the end. It may contain a user and a password.
-        suite: such as bookworm-updates; for a flat repository its path, which ends in a slash.
-        components: such as main; none for a flat repository.
-    """
-
-    address: str
-    suite: str
-    components: tuple[str, ...]
+    address: str  # of the archive, without a slash at the end. It may contain a user and a password
+    suite: str  # such as bookworm-updates; for a flat repository its path, which ends in a slash
+    components: tuple[str, ...]  # such as main; none for a flat repository
 
     @property
     def flat(self) -> bool:
@@ -66,7 +60,7 @@ class Source:
         return self.suite.endswith("/")
 
     def release(self, address: str) -> str:
-        """The address of the Release file below the archive's address, or that of its copy on a mirror."""
+        """The address of the Release file below that of the archive or of its copy on a mirror."""
         return f"{address}/{self.suite.lstrip('/')}Release" if self.flat else f"{address}/dists/{self.suite}/Release"
 
 
@@ -104,9 +98,7 @@ def _keep(file: Path, texts: Texts) -> None:
 
 
 def parse(texts: Mapping[str, str], image: str) -> tuple[Source, ...]:
-    """The sources in some files, in apt's order, with each suite of an archive once. Only sources over HTTP count, and
-    no sources of source packages.
-    """
+    """The binary sources over HTTP in files by path, in apt's order, with each suite of an archive once."""
     names: dict[tuple[str, str], dict[str, None]] = {}
     for path in sorted(texts):
         entries = _stanzas if path.endswith(".sources") else _lines
@@ -192,8 +184,7 @@ def _manifest(registry: Registry, place: references.Reference, architecture: str
 def read_layer(registry: Registry, place: references.Reference, layer: Descriptor) -> tuple[Texts, set[str]]:
     """The files of apt sources in a layer, and the paths of those that it deletes from the layers below.
 
-    If a layer is not read to its end, its digest is not checked. The result decides only which archives are asked, and
-    no content of an image.
+    The digest is checked only at a layer's end: the result decides which archives are asked, and no content of an image.
     """
 
     def read(blocks: Iterator[bytes]) -> tuple[Texts, set[str]]:

@@ -29,14 +29,10 @@ PINNED = re.compile(r"[^\s@]+@sha256:[0-9a-f]{64}")
 
 @dataclass(frozen=True)
 class Assembler:
-    """The image that parts are built on.
-
-    Attributes:
-        python: the version of Python in it; empty if it lacks that of the part.
-    """
+    """The image that parts are built on."""
 
     reference: str
-    python: str
+    python: str  # the version of Python in it; empty if it lacks that of the part
 
 
 def native_architecture() -> str:

@@ -1,8 +1,4 @@
-"""Attaches their lists of files, SBOMs and facts to pushed images.
-
-The builder that built an image makes them: it has the layers already, so that nobody pulls an image to see its
-content.
-"""
+"""Attaches lists of files, SBOMs and facts to pushed images. The builder lists them: it has the layers already."""
 
 from __future__ import annotations
 
@@ -28,13 +24,11 @@ FORMAT = "facts.v1"
 """What is attached beside the SBOM and the list of files. With another one, all images are described again, without a build."""
 
 TARGET = "contents"
-"""The bake target that lists the content of an image."""
 
 PACKAGES = "packages.json"
 """The packages of an image, written by components/containerize/contents.py."""
 
 FILES = "files.gz"
-"""The list of files of an image."""
 
 FACTS = "facts.gz"
 """The facts of an image or of an app, written by components/containerize/facts.py."""
@@ -56,7 +50,6 @@ def attach(
     has a list of files or facts, it keeps them. The same packages give an SBOM with the same digest.
 
     Args:
-        image_set: names the operating system whose tools read the images.
         images: the repository of each, and the digest of its manifest or index.
 
     Returns:
@@ -78,11 +71,7 @@ def attach(
 
 
 def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:
-    """The manifest itself; or, of an index, the manifests for platforms.
-
-    Raises:
-        RosmlError: the image is missing, or the manifest is no image (exit code 2).
-    """
+    """The manifest itself; or, of an index, the manifests for platforms."""
     target = _require(registry, repository, digest)
     digests = [entry.digest for entry in target.members if "unknown" not in platform(entry.platform)]
     images = [_require(registry, repository, name) for name in dict.fromkeys(digests)] if target.is_index else [target]

@@ -12,11 +12,7 @@ from rosml.machine.services import Services
 
 
 def default(services: Services, image_set: ImageSet, architecture: str, say: Callable[[str], None]) -> Image:
-    """The first of the matrix's default images that this machine can build. If it can build none, the last one.
-
-    Raises:
-        RosmlError: a base image or repository that the user set is wrong (exit code 2).
-    """
+    """The first of the matrix's default images that this machine can build. If it can build none, the last one."""
     why = ""
     *preferred, last = (image_set.by_target[name] for name in image_set.matrix.default.targets)
     for image in preferred:

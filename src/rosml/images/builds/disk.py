@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import shutil
 import subprocess
-from collections.abc import Callable, Iterable, Set
+from collections.abc import Callable, Iterable, Iterator, Set
+from itertools import takewhile
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,7 +20,6 @@ RESERVE_MB = 2_000
 """Kept free beside the forecast, for logs, the builder's database and other programs."""
 
 PRUNE_SECONDS = 600.0
-"""Time limit of the builder to prune its cache."""
 
 
 def needed_mb(image_set: ImageSet, image: Image, built: Iterable[str]) -> int:
@@ -27,12 +27,9 @@ def needed_mb(image_set: ImageSet, image: Image, built: Iterable[str]) -> int:
 
     The builder holds a part unpacked twice: as it was built, and as the layer that is joined. It holds a ROS image
     unpacked once. The builder and the registry each hold both compressed.
-
-    Args:
-        built: names of the parts and targets that are built already.
     """
     present = built if isinstance(built, Set) else set(built)
-    ros = 0 if image.target in present else _ros_mb(image_set, _ros(image_set, image), present)
+    ros = 0 if image.target in present else _ros_mb(image_set, image, present)
     return ros + sum(part_mb(image_set.part_by_name[name]) for name in image.parts if name not in present)
 
 
@@ -41,43 +38,32 @@ def part_mb(part: Part) -> int:
 
 
 def tested_mb(image_set: ImageSet, image: Image, present: Set[str]) -> int:
-    """Megabytes that testing an image takes if it was perhaps built elsewhere: it is pulled and unpacked.
-
-    Args:
-        present: names of the parts and targets that the builder has.
-    """
+    """Megabytes that testing an image takes: what the builder does not have yet is pulled and unpacked."""
     parts = [image_set.part_by_name[name].disk for name in image.parts if name not in present]
-    return _ros_mb(image_set, _ros(image_set, image), present) + sum(size.unpacked + size.compressed for size in parts)
+    return _ros_mb(image_set, image, present) + sum(size.unpacked + size.compressed for size in parts)
 
 
-def _ros(image_set: ImageSet, image: Image) -> Image:
-    """The image itself if it is a ROS image, or the ROS image below it; with the size in the image set."""
-    return image_set.by_target[image.parent if image.stack else image.target]
+def _ros_images(image_set: ImageSet, image: Image) -> Iterator[tuple[str, int, int]]:
+    """The ROS images below an image and the system, from the top: megabytes of each alone, unpacked and compressed."""
+    above: Image | None = image_set.by_target[image.parent if image.stack else image.target]
+    while above:
+        below = image_set.by_target.get(above.parent)
+        base = below.disk if below else rules.system_size(image_set.matrix, above.component)
+        yield above.target, above.disk.unpacked - base.unpacked, above.disk.compressed - base.compressed
+        if not below:
+            yield above.parent, base.unpacked, base.compressed
+        above = below
 
 
 def _ros_mb(image_set: ImageSet, image: Image, present: Set[str]) -> int:
-    """Megabytes for a ROS image and the images below it, down to the first one that is built already."""
-    if image.target in present:
-        return 0
-    below = image_set.by_target.get(image.parent)
-    base = below.disk if below else rules.system_size(image_set.matrix, image.component)
-    size = image.disk.unpacked - base.unpacked + 2 * (image.disk.compressed - base.compressed)
-    if below:
-        return size + _ros_mb(image_set, below, present)
-    return size + (0 if image.parent in present else base.unpacked + 2 * base.compressed)
+    """Megabytes for the ROS images of an image, down to the first one that is built already."""
+    missing = takewhile(lambda ros: ros[0] not in present, _ros_images(image_set, image))
+    return sum(unpacked + 2 * compressed for _, unpacked, compressed in missing)
 
 
 def layers(image_set: ImageSet, image: Image) -> dict[str, int]:
-    """What an image is made of, from the bottom up, each with its compressed megabytes alone."""
-    ros: list[tuple[str, int]] = []
-    below: Image | None = _ros(image_set, image)
-    while below:
-        lower = image_set.by_target.get(below.parent)
-        base = lower.disk if lower else rules.system_size(image_set.matrix, below.component)
-        ros.append((below.target, below.disk.compressed - base.compressed))
-        if not lower:
-            ros.append((below.parent, base.compressed))
-        below = lower
+    """The images and parts that an image consists of, from the bottom up, each with its compressed megabytes alone."""
+    ros = [(name, compressed) for name, _, compressed in _ros_images(image_set, image)]
     return dict(reversed(ros)) | {name: image_set.part_by_name[name].disk.compressed for name in image.parts}
 
 
@@ -98,9 +84,6 @@ def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bo
 
     The builder also prunes its cache itself, after a build and down to a fixed limit. An image with CUDA needs more
     room at once. The user's own builder may be on another machine, and is left alone.
-
-    Args:
-        needed: forecast in megabytes.
 
     Returns:
         Whether the builder may have removed something.
@@ -128,16 +111,12 @@ def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bo
 
 
 def require(path: Path, needed: int, target: str, say: Callable[[str], None]) -> None:
-    """Checks that a file system has room for a build, and says what the build will need.
-
-    Args:
-        path: a folder on the file system of the builder and the registry.
-        needed: forecast in megabytes.
-    """
+    """Checks that the file system of the builder and the registry has room for a build, and says what it will need."""
+    if not needed:
+        return
     free = _free_mb(path)
-    if needed:
-        say(f"{target} needs about {gigabytes(needed)} of disk; {gigabytes(free)} are free")
-    if needed and free < needed + RESERVE_MB:
+    say(f"{target} needs about {gigabytes(needed)} of disk; {gigabytes(free)} are free")
+    if free < needed + RESERVE_MB:
         raise RosmlError(
             f"not enough disk space to build {target}: {gigabytes(needed + RESERVE_MB)} are needed (forecast and reserve),"
             f" {gigabytes(free)} are free at {path}",

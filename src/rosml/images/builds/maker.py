@@ -1,7 +1,6 @@
 """Builds, joins and tests images for a publishing run.
 
-`Maker` is the interface for the run. It pushes results into the registry by digest. `BuildKitMaker` implements it with
-the builder. The run itself decides what is due, writes the records, and moves tags.
+The run itself decides what is due, writes the records, and moves tags.
 """
 
 from __future__ import annotations
@@ -37,39 +36,24 @@ OUTPUT_LINES = 8
 
 @dataclass(frozen=True)
 class NewImage:
-    """A part or an image in the registry.
+    """A part or an image in the registry."""
 
-    Attributes:
-        digest: of its manifest.
-        parts: digests of the images and parts below it, by target.
-        package_state: state of the repositories that its packages came from; empty if it does not depend on any.
-        base: reference of the base image that it starts from; empty if it starts from one of its parts.
-        sbom: digest of the artifact with its SBOM; empty for a joined image.
-    """
-
-    digest: str
-    parts: Mapping[str, str] = field(default_factory=dict)
-    package_state: str = ""
-    base: str = ""
-    sbom: str = ""
+    digest: str  # of its manifest
+    parts: Mapping[str, str] = field(default_factory=dict)  # digests of the images and parts below it, by target
+    package_state: str = ""  # state of the repositories that its packages came from; empty if it does not depend on any
+    base: str = ""  # reference of the base image that it starts from; empty if it starts from one of its parts
+    sbom: str = ""  # digest of the artifact with its SBOM; empty for a joined image
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """The result of an image's structure tests.
-
-    Attributes:
-        passed: how many tests passed.
-        unpacked: bytes of the image's root file system; 0 if unknown.
-        versions: of packages and programs in the image.
-        output: the last lines of each failed test, below its name.
-    """
+    """The result of an image's structure tests."""
 
     passed: int = 0
     failures: tuple[str, ...] = ()
-    unpacked: int = 0
-    versions: Mapping[str, str] = field(default_factory=dict)
-    output: str = ""
+    unpacked: int = 0  # bytes of the image's root file system; 0 if unknown
+    versions: Mapping[str, str] = field(default_factory=dict)  # of packages and programs in the image
+    output: str = ""  # the last lines of each failed test, below its name
 
 
 @dataclass(frozen=True)
@@ -103,10 +87,7 @@ def require_buildable(image: Image, architecture: str) -> None:
 
 
 class Maker(Protocol):
-    """Makes images and parts for one architecture at a time, and pushes them by digest. It moves no tag.
-
-    Every method raises RosmlError if it fails.
-    """
+    """Makes images and parts for one architecture at a time, and pushes them by digest. It moves no tag."""
 
     def build_part(self, part: Part, architecture: str) -> NewImage:
         """Builds a part from its lock, and pushes it."""
@@ -115,8 +96,7 @@ class Maker(Protocol):
         """Builds a ROS image, and pushes it.
 
         Args:
-            parts: digest of the image below it, by target; none for the first component, which starts from the base
-                image.
+            parts: digest of the image below it, by target; none for the first component.
             packages: the state of the package repositories; empty if the image does not depend on any.
         """
 
@@ -130,39 +110,24 @@ class Maker(Protocol):
         """Attaches the list of files, the facts and the SBOM to a pushed ROS image or part. Returns the SBOM's digest."""
 
     def join(self, image: Image, architecture: str, parts: Mapping[str, str]) -> str:
-        """Joins a ROS image and parts in the registry. Returns the digest of the manifest.
-
-        Args:
-            parts: digests by target: first the ROS image, then the parts.
-        """
+        """Joins a ROS image and parts, in this order, by their digests. Returns the digest of the manifest."""
 
     def test(
         self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
     ) -> Verdict:
-        """Runs structure tests of an image. Failed tests are no error.
-
-        Args:
-            parts: digests of the images and parts below it, by target.
-            names: of the tests' files.
-        """
+        """Runs structure tests of an image, by the names of their files. Failed tests are no error."""
 
 
 @dataclass
 class BuildKitMaker:
-    """Builds and tests in the builder, and joins in the registry.
-
-    Attributes:
-        place: where images go.
-        force: whether to build without the builder's cache.
-        forecast: the image set with measured sizes; the matrix's sizes count if None.
-    """
+    """Builds and tests in the builder, and joins in the registry."""
 
     services: Services
     image_set: ImageSet
     place: Place
     say: Callable[[str], None]
     force: bool = False
-    forecast: ImageSet | None = None
+    forecast: ImageSet | None = None  # the image set with measured sizes; the matrix's sizes count if None
     _present: set[str] = field(default_factory=set)  # names of the parts and targets that the builder has
     _pushed: dict[tuple[str, str], tuple[str, str]] = field(default_factory=dict)
     """The base image and the digest of each thing that `build_together` built, by target and architecture."""
@@ -202,16 +167,13 @@ class BuildKitMaker:
             self.say(f"{error.message}\nnow one after the other")
             return
         self._pushed |= {key: (start, digests[call.target]) for key, (start, call) in calls.items()}
-        images = [
-            (self.place.path(repository_of(request.thing)), self._pushed[request.key][1])
-            for request in requests
-            if request.key in calls
-        ]
+        things = {request.key: request.thing for request in requests}
+        images = [(self.place.path(repository_of(things[key])), self._pushed[key][1]) for key in calls]
         with suppress(RosmlError):  # `_describe` tries each alone, and says why it fails
             self._sboms |= contents.attach(self.services, self.image_set, self.place.client, images, self.say)
 
     def _push(self, request: BuildRequest) -> tuple[str, str]:
-        """Builds and pushes a part or an image, unless `build_together` did. Returns its base image and its digest."""
+        """Builds and pushes a part or an image, unless `build_together` did."""
         if pair := self._pushed.pop(request.key, None):
             return pair
         start, call = self._call(request)
@@ -220,7 +182,7 @@ class BuildKitMaker:
         return start, pushed(call, metadata)
 
     def _call(self, request: BuildRequest) -> tuple[str, buildx.Bake]:
-        """The call that builds and pushes a part or an image, and the reference of its base image."""
+        """The reference of the base image, and the call that builds and pushes a part or an image."""
         if isinstance(request.thing, Image):
             start, call = self._call_of_image(request.thing, request)
         else:
@@ -264,8 +226,7 @@ class BuildKitMaker:
     ) -> Verdict:
         """Tests an image in a root file system of the layers in its manifest.
 
-        The builder takes a ROS image by its digest. It joins a joined image from the same parts by their digests. The
-        layers are the same, and the builder needs to unpack each part only once, not for each image.
+        The builder joins a joined image from the same parts by their digests: so it unpacks each part only once.
         """
         self._require_builder(architecture)
         path = self.place.path(image.repository)
@@ -292,7 +253,6 @@ class BuildKitMaker:
         return Verdict(report.passed, failures, report.unpacked, report.versions, report.failures(OUTPUT_LINES))
 
     def variables(self, image: Image, architecture: str, date: str = "") -> dict[str, str]:
-        """Variables of the bake file for an image; see `builds/variables.py`."""
         values = variables(self.services, self.image_set, image, architecture, str(self.place))
         return values | sync_dates(self.services, self.image_set, image.distribution, self.say, date)
 
@@ -319,13 +279,12 @@ class BuildKitMaker:
 
     @cached_property
     def _joiner(self) -> Joiner:
-        """Joins images. It reads each part once."""
         declared = Declared.of(self.image_set.matrix)
         return Joiner(lambda _: self.place.client, say=self.say, declared=lambda: declared)
 
     @cached_property
     def _repositories(self) -> dict[str, str]:
-        """Repositories of images and parts by target, without the prefix."""
+        """By target, without the prefix."""
         things: list[Image | Part] = [*self.image_set.images, *self.image_set.parts]
         return {thing.target: repository_of(thing) for thing in things}
 

@@ -38,20 +38,14 @@ _OF_AN_ARCHIVE = re.compile(r"\S+ \S+ [0-9a-f]{16}")
 
 @dataclass(frozen=True)
 class Release:
-    """A Release file without its date, which changes several times a day, without other changes.
+    """A Release file without its date, which changes several times a day, without other changes."""
 
-    Attributes:
-        origin: whose packages these are, as one word, such as debian.
-        lists: digests of the lists of packages.
-    """
-
-    origin: str
-    lists: str
+    origin: str  # whose packages these are, as one word, such as debian
+    lists: str  # digests of the lists of packages
 
 
 def state(services: Services, matrix: Matrix, distribution: str, environ: Mapping[str, str] = os.environ) -> str:
-    """The state of a distribution's package repositories: the date of ROS's repository, a digest of the operating
-    system's lists of packages, or both; empty if there is neither.
+    """The date of ROS's repository, a digest of the operating system's lists of packages, or both; empty if there is neither.
 
     It is the same on all architectures, because an archive and its ports have the same Release files.
     """

@@ -31,22 +31,14 @@ from rosml.registry.references import Reference
 
 @dataclass(frozen=True)
 class BuiltPart:
-    """A part in the registry.
-
-    Attributes:
-        reference: with the digest, and with the tag if that was moved.
-        digest: of the index, or of the manifest if there is one platform.
-        layers: digest and size in bytes of the part's one layer, by platform.
-        assembled_on: the base image, in words.
-        bytecode: the version of Python that compiled it; empty if there is no bytecode.
-    """
+    """A part in the registry."""
 
     name: str
-    reference: str
-    digest: str
-    layers: Mapping[str, tuple[str, int]]
-    assembled_on: str
-    bytecode: str
+    reference: str  # with the digest, and with the tag if that was moved
+    digest: str  # of the index, or of the manifest if there is one platform
+    layers: Mapping[str, tuple[str, int]]  # digest and size in bytes of the part's one layer, by platform
+    assembled_on: str  # the base image, in words
+    bytecode: str  # the version of Python that compiled it; empty if there is no bytecode
     seconds: float
 
     def to_json(self) -> dict[str, Any]:
@@ -64,30 +56,20 @@ def by_name(image_set: ImageSet, name: str) -> Part:
 
 @dataclass(frozen=True)
 class PartBuilder:
-    """Builds parts into the repository `part` of a registry.
-
-    Attributes:
-        prefix: the registry, and the path before `part`.
-        say: prints a line of progress.
-        again: build without the builder's cache. The same inputs give the same digests.
-    """
+    """Builds parts into the repository `part` of a registry."""
 
     services: Services
     image_set: ImageSet
-    prefix: str
+    prefix: str  # the registry, and the path before `part`
     say: Callable[[str], None]
-    again: bool = False
+    again: bool = False  # build without the builder's cache. The same inputs give the same digests
 
     @property
     def _place(self) -> Reference:
         return references.parse(f"{self.prefix}/part")
 
     def publish(self, part: Part, platform: str = "") -> BuiltPart:
-        """Builds a part for all architectures whose lock is up to date. Moves its tag if these are all its architectures.
-
-        Args:
-            platform: build only for this one. Then no tag moves.
-        """
+        """Builds a part for one platform, or all whose lock is up to date. Moves its tag if these are all that it has."""
         started = time.monotonic()
         platforms = _platforms(part, platform)
         base, call = self.bake(part, platforms)
@@ -103,11 +85,7 @@ class PartBuilder:
         return BuiltPart(part.name, reference, digest, layers, _built_on(part, base), python, seconds)
 
     def bake(self, part: Part, platforms: Sequence[str]) -> tuple[base_images.Assembler, buildx.Bake]:
-        """The call that builds a part for some platforms, and the image that it is built on.
-
-        Raises:
-            RosmlError: the base image is not available; the part is restricted, and may not go there (exit code 2).
-        """
+        """The image that a part is built on, and the call that builds it, if it is not restricted or may go there."""
         kinds = restricted.of(self.image_set.matrix, [part.kind])
         declared = Declared.of(self.image_set.matrix)
         if notice := restricted.require(kinds, part.name, self._place.host, self._place.repository, declared):

@@ -54,7 +54,6 @@ def push_together(services: Services, calls: Sequence[buildx.Bake], file: Path, 
     Args:
         calls: of `pushing`. Variables of one name have one value.
         file: the bake file of all of them.
-        name: the log's name, without its ending.
 
     Returns:
         The digests by target.

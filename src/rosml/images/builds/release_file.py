@@ -15,12 +15,7 @@ MIRROR = re.compile(r"https?://[A-Za-z0-9._~:@/-]+")
 
 
 def address(official: str, mirror: str, variable: str) -> str:
-    """The address of a repository, or of its copy on a mirror, which has a folder for each host.
-
-    Args:
-        mirror: empty if there is none.
-        variable: the variable that names the mirror.
-    """
+    """The address of a repository, or of its copy on the mirror of a variable, which has a folder for each host."""
     if not mirror:
         return official
     if not MIRROR.fullmatch(mirror):
@@ -33,12 +28,7 @@ def read(url: str, limit: int, variable: str) -> str:
 
 
 def fetched(url: str, limit: int, variable: str) -> bytes:
-    """A file of a repository. A user and password in its address are sent, but appear in no message.
-
-    Args:
-        limit: how many bytes are read at most.
-        variable: the variable that names a mirror.
-    """
+    """A file of a repository, of at most `limit` bytes. A password in its address is sent, but appears in no message."""
     try:
         with web.client(timeout=SECONDS) as client:
             answer = web.fetched(client, url)

@@ -35,15 +35,10 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Report:
-    """The report of an image's structure tests.
-
-    Attributes:
-        unpacked: size of the root file system in bytes; 0 if unknown.
-        versions: of packages and programs in the image, as recorded when its parts were built.
-    """
+    """The report of an image's structure tests, with versions that were recorded when its parts were built."""
 
     outcomes: tuple[Outcome, ...]
-    unpacked: int
+    unpacked: int  # size of the root file system in bytes; 0 if unknown
     versions: Mapping[str, str] = field(default_factory=dict)
 
     def failures(self, most: int = 0) -> str:
@@ -137,18 +132,12 @@ def write_metadata(folder: Path, image: Image, config: Mapping[str, Any]) -> Non
 
 @dataclass(frozen=True)
 class Subject:
-    """The image under test.
-
-    Attributes:
-        architecture: such as `amd64`.
-        config: of the image in the registry.
-        part_bytes: bytes of the budgeted parts in the registry.
-    """
+    """The image under test."""
 
     image: Image
     architecture: str
-    config: Mapping[str, Any]
-    part_bytes: int = 0
+    config: Mapping[str, Any]  # of the image in the registry
+    part_bytes: int = 0  # bytes of the budgeted parts in the registry
 
 
 def run(

@@ -14,11 +14,7 @@ from rosml.machine.services import Services
 
 
 def variables(services: Services, image_set: ImageSet, image: Image, architecture: str, prefix: str) -> dict[str, str]:
-    """The registry, the platform and the base images to build or test an image.
-
-    Args:
-        prefix: the registry, and the path before the names of repositories.
-    """
+    """The registry, the platform and the base images. `prefix` has the registry, and the path before all repositories."""
     matrix = image_set.matrix
     systems = {image.os, matrix.default.assembler, *(image_set.part_by_name[name].os for name in image.parts)}
     references = {
@@ -50,11 +46,8 @@ def sync_date(
 ) -> str | None:
     """When ROS published the apt repository of a distribution. With a new date, the build installs the packages again.
 
-    Args:
-        date: if empty, the repository is asked.
-
     Returns:
-        The date; empty if it is unknown; None if the packages come from elsewhere.
+        The date, or that of the repository; empty if it is unknown; None if the packages come from elsewhere.
     """
     source = apt_repository.of(image_set.matrix, distribution)
     if source is None:

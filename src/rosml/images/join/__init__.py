@@ -1,2 +1,1 @@
-"""Joins an image and parts: `layers.py` is a pure function from manifests to a manifest, `joiner.py` works in a
-registry and pulls no layer. Uses records, registry and below."""
+"""Joins an image and parts: `layers.py` computes a manifest, `joiner.py` works in a registry. Uses records and below."""

@@ -1,7 +1,6 @@
 """Facts of images that say whether an app can move to another base: packages with their relations, and symbols of libraries.
 
-components/containerize/facts.py writes them: for ROS images and parts, and for the one layer of an app. They are attached to images
-in the registry, so nobody needs to pull an image to ask whether it has a symbol.
+components/containerize/facts.py writes them: for ROS images and parts, and for the one layer of an app. They are attached to images.
 """
 
 from __future__ import annotations
@@ -21,6 +20,7 @@ from rosml.base.problems import first_of
 from rosml.base.shapes import Shape
 from rosml.images.image_set.labels import COVERED, JOINED
 from rosml.images.image_set.model import PARTS
+from rosml.images.join.file_lists import attached
 from rosml.images.matrix import names
 from rosml.registry import references
 from rosml.registry.client import Registry
@@ -31,9 +31,6 @@ MEDIA_TYPE = "application/vnd.rosml.facts.v1+gzip"
 
 LARGEST, PACKED = 64 << 20, 32 << 20
 """The most bytes of facts, unpacked and as they are stored."""
-
-ATTACHED = 4
-"""The most facts of one image. An image has facts from each publisher."""
 
 COMPONENTS = 32
 """The most images that one is joined from."""
@@ -52,44 +49,31 @@ class _Model(Shape):
 
 
 class Package(_Model):
-    """A package of the operating system, with dpkg's own words.
-
-    Attributes:
-        depends: Pre-Depends and Depends.
-        conflicts: Conflicts and Breaks.
-        files: of an app's package, its files in the app's layer, without a slash at the beginning.
-    """
+    """A package of the operating system, with dpkg's own words."""
 
     name: Text
     architecture: Text
     version: Text
     provides: Relation = ""
-    depends: Relation = ""
-    conflicts: Relation = ""
-    files: list[Text] = []
+    depends: Relation = ""  # Pre-Depends and Depends
+    conflicts: Relation = ""  # Conflicts and Breaks
+    files: list[Text] = []  # of an app's package, its files in the app's layer, without a slash at the beginning
 
 
 class Library(_Model):
     """A library; of an app, also a program.
 
     Attributes:
-        path: without a slash at the beginning.
-        soname: empty if it has none.
-        id: the same for the same file: its build ID, or a digest.
-        names: of links to it, if they are neither its own nor its soname.
-        machine: class, byte order and machine, as ELF has them.
-        needed: sonames of the libraries that it loads.
-        symbols: what it exports; ask `exports`.
         uses: of an app, the symbols that no file of the app exports, as `name` or `name@VERSION`. Weak ones do not count.
     """
 
-    path: Text
-    soname: Text
-    id: str = Field(pattern=r"^[0-9a-f]{8,64}$")
-    names: list[Text] = []
-    machine: list[Number] = Field(min_length=3, max_length=3)
-    needed: list[Text]
-    symbols: str = Field(pattern=r"^([A-Za-z0-9_-]{4})*$")
+    path: Text  # without a slash at the beginning
+    soname: Text  # empty if it has none
+    id: str = Field(pattern=r"^[0-9a-f]{8,64}$")  # the same for the same file: its build ID, or a digest
+    names: list[Text] = []  # of links to it, if they are neither its own nor its soname
+    machine: list[Number] = Field(min_length=3, max_length=3)  # class, byte order and machine, as ELF has them
+    needed: list[Text]  # sonames of the libraries that it loads
+    symbols: str = Field(pattern=r"^([A-Za-z0-9_-]{4})*$")  # what it exports; ask `exports`
     uses: list[Symbol] = []
 
     @functools.cached_property
@@ -99,39 +83,30 @@ class Library(_Model):
 
 
 class Import(_Model):
-    """A module of the base image that an app imports.
+    """A module of the base image that an app imports."""
 
-    Attributes:
-        module: its first name, such as `torch`.
-        file: the first file of the app that imports it in any case, below the install space.
-    """
-
-    module: Text
-    file: Text
+    module: Text  # its first name, such as `torch`
+    file: Text  # the first file of the app that imports it in any case, below the install space
 
 
 class Facts(_Model):
     """The facts of an image.
 
     Attributes:
-        packages: of a base image all packages; of an app those in its layer.
         libraries: of a base image or a part, libraries that export something; of an app all programs and libraries in its layer.
         files: of an app, the files in its layer that belong to none of its packages, without a slash at the beginning.
         imports: of an app, what its Python imports of its base image; None of an app that was built before facts had it.
-        asks: of an app, packages of apt that it asks for by name and that its base image has.
-        asks_pip: the same of pip, by their normalized names.
     """
 
-    packages: list[Package]
+    packages: list[Package]  # of a base image all packages; of an app those in its layer
     libraries: list[Library]
     files: list[Text] = []
     imports: list[Import] | None = None
-    asks: list[Text] = []
-    asks_pip: list[Text] = []
+    asks: list[Text] = []  # of an app, packages of apt that it asks for by name and that its base image has
+    asks_pip: list[Text] = []  # the same of pip, by their normalized names
 
 
 def parse(data: bytes) -> Facts:
-    """The facts in a compressed document."""
     try:
         return Facts.model_validate(untrusted.json_value(archives.gunzipped(data, LARGEST), LARGEST))
     except ValueError as error:
@@ -186,13 +161,9 @@ def hashed(symbol: str) -> str:
 
 
 def of(registry: Registry, repository: str, digest: str) -> Facts | None:
-    """The facts that are attached to an image manifest, by all publishers together; None if there are none."""
-    digests = sorted({entry["digest"] for entry in registry.referrers(repository, digest, ARTIFACT)})
-    if len(digests) > ATTACHED:
-        text = f"{registry.host}/{repository}@{digest} has facts from {len(digests)} publishers"
-        raise RosmlError(text, "remove those that are not yours")
-    artifacts = [artifact for name in digests if (artifact := registry.manifest(repository, name)) and artifact.layers]
-    parts = {artifact.layers[0].digest: artifact.layers[0] for artifact in artifacts}
+    """The facts that are attached to an image manifest, by all publishers together."""
+    artifacts = attached(registry, repository, digest, ARTIFACT, "documents of facts")
+    parts = {artifact.layers[0].digest: artifact.layers[0] for artifact in artifacts if artifact.layers}
     every = [parse(registry.part(repository, part, PACKED)) for part in parts.values()]
     return together(every) if len(every) > 1 else next(iter(every), None)
 
@@ -200,8 +171,9 @@ def of(registry: Registry, repository: str, digest: str) -> Facts | None:
 def components(
     registry: Registry, repository: str, digest: str, annotations: Mapping[str, str], near: Iterable[str] = ()
 ) -> list[tuple[str, str]]:
-    """The ROS image and the parts of an image that was joined: repositories, and digests of their manifests. Of a ROS image it is the
-    image itself. Empty if the annotations do not name those whose layers the image has, or nobody knows where they are.
+    """Repositories and digests of the ROS image and the parts that an image was joined from; of a ROS image its own.
+
+    Empty if the annotations do not name those whose layers the image has, or nobody knows where they are.
 
     Args:
         repository: of the image.
@@ -229,7 +201,6 @@ def components(
 
 
 def _in(registry: Registry, repositories: Iterable[str], digest: str) -> tuple[str, Manifest] | None:
-    """The manifest with a digest, in the first repository that has it."""
     if not references.is_digest(digest):
         return None
     every = ((path, registry.manifest(path, digest)) for path in repositories)
@@ -252,8 +223,8 @@ def of_member(registry: Registry, repository: str, digest: str, annotations: Map
     Returns:
         None if one of these has none: it would look like an image that lacks what the part has.
     """
-    if attached := of(registry, repository, digest):
-        return attached
+    if direct := of(registry, repository, digest):
+        return direct
     places = components(registry, repository, digest, annotations)
     parts = [of(registry, *place) for place in places if place[1] != digest]
     present = [facts for facts in parts if facts]

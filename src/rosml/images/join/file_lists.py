@@ -1,7 +1,6 @@
 """The lists of files of images and parts: made in the builder, attached in the registry, compared before a join.
 
-If two parts carry the same file, the later layer silently hides the other's file. Each list is an artifact attached to
-its image, so that a join in a registry need not pull images to find such files.
+If two parts carry the same file, the later layer silently hides the other's. With attached lists, a join pulls no image.
 """
 
 from __future__ import annotations
@@ -33,7 +32,7 @@ LONGEST = 4096
 """Most characters of a path, as on Linux."""
 
 ATTACHED = 4
-"""Most lists of one image. An image has one list from each publisher."""
+"""The most artifacts of one type of one image, which has one from each publisher."""
 
 LAYERS = 32
 """Most layers of one list. An image has a list for each image that it was joined from."""
@@ -49,16 +48,11 @@ _MERGED = ("bin", "lib", "lib32", "lib64", "libx32", "sbin")
 
 @dataclass(frozen=True)
 class Files:
-    """The paths of an image's files and links, without a slash at the beginning.
-
-    Attributes:
-        places: the same with links resolved, since /lib is a link to /usr/lib.
-        folders: all folders above `entries`.
-    """
+    """The paths of an image's files and links, without a slash at the beginning."""
 
     entries: frozenset[str]
-    places: frozenset[str]
-    folders: frozenset[str]
+    places: frozenset[str]  # the same with links resolved, since /lib is a link to /usr/lib
+    folders: frozenset[str]  # all folders above `entries`
 
     @classmethod
     def parse(cls, text: bytes) -> Files:
@@ -82,7 +76,6 @@ class Files:
 
 
 def together(lists: Sequence[Files]) -> Files:
-    """The files of several images as one list."""
     none = frozenset[str]()
     return Files(
         none.union(*(item.entries for item in lists)),
@@ -113,15 +106,7 @@ def unpacked(data: bytes) -> bytes:
 def mounted(
     source: Registry, repository: str, digest: str, registry: Registry, target: str
 ) -> Iterator[dict[str, Any]]:
-    """The lists of an image as layers of an artifact in another repository, to which their blobs are mounted or copied.
-
-    Args:
-        source: the registry of the image.
-        repository: its path.
-        digest: of its manifest.
-        registry: that of the other repository.
-        target: the other repository's path.
-    """
+    """The lists of an image as layers of an artifact in the repository `target`, to which their blobs are mounted or copied."""
     for artifact in _artifacts(source, repository, digest):
         for layer in artifact.layers:
             here = source.host == registry.host
@@ -130,13 +115,18 @@ def mounted(
             yield {"mediaType": layer.mediaType, "digest": layer.digest, "size": layer.size}
 
 
+def attached(registry: Registry, repository: str, digest: str, artifact_type: str, what: str) -> list[Manifest]:
+    """The artifacts of a type that all publishers attached to an image; `what` names several in the error about too many."""
+    digests = {entry["digest"] for entry in registry.referrers(repository, digest, artifact_type)}
+    if len(digests) > ATTACHED:
+        text = f"{registry.host}/{repository}@{digest} has {len(digests)} {what}"
+        raise RosmlError(text, "remove those that are not yours")
+    return [artifact for name in sorted(digests) if (artifact := registry.manifest(repository, name))]
+
+
 def _artifacts(registry: Registry, repository: str, digest: str) -> list[Manifest]:
     """The artifacts with lists of an image. Those of all publishers count, so that no list hides a file."""
-    digests = {entry["digest"] for entry in registry.referrers(repository, digest, ARTIFACT)}
-    if len(digests) > ATTACHED:
-        text = f"{registry.host}/{repository}@{digest} has {len(digests)} lists of files"
-        raise RosmlError(text, "remove those that are not yours")
-    artifacts = [artifact for name in sorted(digests) if (artifact := registry.manifest(repository, name))]
+    artifacts = attached(registry, repository, digest, ARTIFACT, "lists of files")
     for artifact in artifacts:  # an app on another base has its own list and those of the base
         if len(artifact.layers) > LAYERS:
             text = f"a list of files at {registry.host}/{repository}@{digest} has {len(artifact.layers)} layers"
@@ -162,7 +152,7 @@ class Lists:
         return self._lists[key]
 
     def clash(self, one: Files, other: Files) -> str:
-        """As the function `clash`, but computed once for the same two objects."""
+        """Computed once for the same two objects."""
         key = (id(one), id(other))  # the lists live as long as this object
         if key not in self._clashes:
             self._clashes[key] = clash(one, other)

@@ -35,13 +35,11 @@ class JoinReport(Transferred):
     """The result of a join.
 
     Attributes:
-        reference: for FROM; with the tag, if one was moved.
-        digest: of the index, or of the manifest if there is no index.
         unlisted: images without a list of files, which may carry the same file as another image.
     """
 
-    reference: str = ""
-    digest: str = ""
+    reference: str = ""  # for FROM; with the tag, if one was moved
+    digest: str = ""  # of the index, or of the manifest if there is no index
     unlisted: list[str] = field(default_factory=list)
 
     def to_json(self) -> dict[str, Any]:
@@ -62,8 +60,6 @@ class Joiner:
     ) -> None:
         """
         Args:
-            registries: gives the client of a host.
-            allow_unlisted: continue if an image has no list of files.
             declared: gives where restricted parts may go.
             unlisted: the remedy for an image without a list of files.
         """
@@ -126,12 +122,7 @@ class Joiner:
         }
 
     def manifest(self, ros: Reference, parts: Sequence[Reference], host: str, repository: str) -> JoinReport:
-        """Joins an image from manifests for one platform, without an index or a tag.
-
-        Args:
-            ros, parts: by digest.
-            host, repository: the place for the image.
-        """
+        """Joins an image from manifests for one platform, without an index or a tag."""
         started = time.monotonic()
         sources = list(self._transfer.pool.map(lambda item: self._transfer.source(str(item), item), (ros, *parts)))
         report = JoinReport()
@@ -177,8 +168,7 @@ class Joiner:
     def _files(self, source: Source, beside: Sequence[Source]) -> Files | None:
         """The files of an image: by its own list, or by those of the images that it was joined from.
 
-        Args:
-            beside: the images of the present join, in whose repositories those may be as well.
+        Their lists may be in the repositories `beside` it, those of the present join.
         """
         registry = self._transfer.registries(source.host)
         if files := self._lists.of(registry, source.repository, source.digest):
@@ -217,11 +207,7 @@ def _common(sources: _ByName, requested: Sequence[str]) -> list[str]:
 
 
 def _index(images: Sequence[Joined], origins: Mapping[str, Sequence[str]]) -> dict[str, Any]:
-    """The index of an image's manifests, with their labels of OCI as annotations.
-
-    Args:
-        origins: the digests of the images from which each was joined, by its platform.
-    """
+    """The index, with labels of OCI as annotations. `origins` are digests of joined images, by platform."""
     entries = []
     for image in sorted(images, key=lambda item: item.platform):
         os, architecture, *variant = image.platform.split("/")

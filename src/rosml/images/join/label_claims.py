@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import labels
@@ -62,21 +62,14 @@ def _wrong_software(claims: Mapping[str, str]) -> str:
         software = list(labels.brought_by(claims))
     except ValueError:
         return f"{claims[labels.BRINGS][:LONGEST]!r} names no software"
-    unfit: Iterator[str] = (
-        text
-        for item in software
-        for text, pattern in (
-            *((item.name, NAME), (item.version, _VERSION), (item.short, NAME), (item.title, WORD)),
-            *((text, WORD) for text in item.environment.values()),
-        )
-        if text and not _is(pattern, text)
-    )
-    wrong = next(unfit, "")
     if any(len(item.environment) > MOST for item in software):
         return f"software needs more than {MOST} variables"
-    return (
-        f"{wrong[:LONGEST]!r} is no name, version or value" if wrong else _wrong_names([item.name for item in software])
-    )
+    for item in software:
+        fields = [(item.name, NAME), (item.version, _VERSION), (item.short, NAME), (item.title, WORD)]
+        fields += [(value, WORD) for value in item.environment.values()]
+        if wrong := next((text for text, pattern in fields if text and not _is(pattern, text)), ""):
+            return f"{wrong[:LONGEST]!r} is no name, version or value"
+    return _wrong_names([item.name for item in software])
 
 
 def _is(pattern: str, text: str) -> bool:

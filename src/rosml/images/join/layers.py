@@ -1,7 +1,6 @@
 """Computes the manifest and config of an image from a ROS image and parts, without a network.
 
-The same inputs give the same bytes, on any machine and in any order. Layers have the order of the Dockerfile.
-Environment and labels are those of a build of the same target.
+The same inputs give the same bytes, on any machine and in any order: those of a build of the same target.
 """
 
 from __future__ import annotations
@@ -37,24 +36,18 @@ _FRAMEWORKS = labels.PREFIX + "frameworks"
 
 @dataclass(frozen=True)
 class Source:
-    """An image for one platform, as its registry holds it.
+    """An image for one platform, as its registry holds it."""
 
-    Attributes:
-        name: the user's name of the image, for messages.
-        annotations: of its entry in its index.
-    """
-
-    name: str
+    name: str  # the user's name of the image, for messages
     host: str
     repository: str
     digest: str
     manifest: Manifest
     config: Config
-    annotations: Mapping[str, str] = field(default_factory=dict)
+    annotations: Mapping[str, str] = field(default_factory=dict)  # of its entry in its index
 
     @property
     def platform(self) -> str:
-        """Such as `linux/arm64`."""
         return platform(self.config.facts)
 
     @property
@@ -65,11 +58,7 @@ class Source:
     def layers(self) -> list[dict[str, Any]]:
         """Its layers, lowest first, with OCI's media types."""
         return [
-            {
-                "mediaType": _OCI_LAYERS.get(layer.mediaType, layer.mediaType),
-                "digest": layer.digest,
-                "size": layer.size,
-            }
+            {"mediaType": _OCI_LAYERS.get(layer.mediaType, layer.mediaType), "digest": layer.digest, "size": layer.size}
             for layer in self.manifest.layers
         ]
 
@@ -81,20 +70,14 @@ class Source:
 
 @dataclass(frozen=True)
 class Joined:
-    """A joined image that is not in a registry yet.
+    """A joined image that is not in a registry yet."""
 
-    Attributes:
-        platform: such as `linux/arm64`.
-        layers: descriptors, with the image that each layer comes from.
-        environment: variables in the config, such as `PATH=/usr/bin`.
-    """
-
-    platform: str
+    platform: str  # such as `linux/arm64`
     config: bytes
     manifest: bytes
     labels: Mapping[str, str]
-    layers: tuple[tuple[dict[str, Any], Source], ...]
-    environment: tuple[str, ...] = ()
+    layers: tuple[tuple[dict[str, Any], Source], ...]  # descriptors, with the image that each layer comes from
+    environment: tuple[str, ...] = ()  # variables in the config, such as `PATH=/usr/bin`
 
     @property
     def digest(self) -> str:
@@ -128,17 +111,17 @@ def join(ros: Source, parts: Sequence[Source]) -> Joined:
     content = _content(ros, parts)
     parts = sorted(parts, key=lambda item: content.order.index(item.labels[_PART]))
     brought = _brought(parts)
-    merged = _labels(ros, content, parts[0].labels[_STACK], brought) | _about_gpus(parts) | _licensed((ros, *parts))
-    sources = (ros, *parts)
+    gpus = {name: text for part in parts for name, text in part.labels.items() if name.startswith(labels.GPU)}
+    merged = _labels(ros, content, parts[0].labels[_STACK], brought) | gpus | _licensed((ros, *parts))
     facts = _config(ros, parts, brought, merged)
     config = oci.encoded(facts)
+    layers = tuple((layer, source) for source in (ros, *parts) for layer in source.layers)
     manifest = {
         "schemaVersion": 2,
         "mediaType": oci.IMAGE,
         "config": oci.descriptor(oci.CONFIG, config),
-        "layers": [layer for source in sources for layer in source.layers],
+        "layers": [layer for layer, _ in layers],
     }
-    layers = tuple((layer, source) for source in sources for layer in source.layers)
     return Joined(ros.platform, config, oci.encoded(manifest), merged, layers, tuple(facts["config"]["Env"]))
 
 
@@ -179,19 +162,12 @@ def _require_whole(source: Source) -> None:
 
 @dataclass(frozen=True)
 class _Content:
-    """What parts make together with the image to which they are joined.
-
-    Attributes:
-        framework: of the joined image.
-        addons: of the joined image, sorted.
-        order: the parts that are joined, in their order.
-        present: the parts that the image has already, in their order.
-    """
+    """What parts make together with the image to which they are joined."""
 
     framework: str
-    addons: tuple[str, ...]
-    order: tuple[str, ...]
-    present: tuple[str, ...] = ()
+    addons: tuple[str, ...]  # of the joined image, sorted
+    order: tuple[str, ...]  # the parts that are joined, in their order
+    present: tuple[str, ...] = ()  # the parts that the image has already, in their order
 
 
 def _content(ros: Source, parts: Sequence[Source]) -> _Content:
@@ -341,10 +317,6 @@ def _labels(ros: Source, content: _Content, stack: str, brought: Sequence[Brough
     parts = {labels.PARTS: " ".join([*content.present, *content.order])}
     addons = {labels.ADDONS: " ".join(content.addons)} if content.addons else {}
     return {**ros.labels, **titles, _FRAMEWORK: content.framework, _STACK: stack, **versions, **parts, **addons}
-
-
-def _about_gpus(parts: Sequence[Source]) -> dict[str, str]:
-    return {name: value for part in parts for name, value in part.labels.items() if name.startswith(labels.GPU)}
 
 
 def _licensed(sources: Sequence[Source]) -> dict[str, str]:

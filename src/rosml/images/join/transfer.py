@@ -1,5 +1,4 @@
-"""Images in registries: reads their manifests and configs, and pushes new ones for existing layers. No layer is pulled, unless
-it must be copied from one registry to another."""
+"""Reads manifests and configs of images, and pushes new ones for existing layers. Pulls no layer but from another registry."""
 
 from __future__ import annotations
 
@@ -28,32 +27,19 @@ MEMBERS = 200
 
 @dataclass
 class Transferred:
-    """Counts of a push.
+    """Counts of a push."""
 
-    Attributes:
-        manifests: digest of the image manifest for each platform.
-        layers: on all platforms.
-        mounted: layers that the registry mounted from another repository.
-        present: layers that the repository had already.
-        copied: layers from another registry.
-        uploaded: bytes sent to the registry.
-    """
-
-    manifests: dict[str, str] = field(default_factory=dict)
-    layers: int = 0
-    mounted: int = 0
-    present: int = 0
-    copied: int = 0
-    uploaded: int = 0
+    manifests: dict[str, str] = field(default_factory=dict)  # digest of the image manifest for each platform
+    layers: int = 0  # on all platforms
+    mounted: int = 0  # layers that the registry mounted from another repository
+    present: int = 0  # layers that the repository had already
+    copied: int = 0  # layers from another registry
+    uploaded: int = 0  # bytes sent to the registry
     seconds: float = 0.0
 
 
 class Transfer:
-    """Reads and pushes images. It reads each manifest and config once. Safe to share among threads.
-
-    Attributes:
-        registries: gives the client of a host.
-    """
+    """Reads and pushes images. It reads each manifest and config once. Safe to share among threads."""
 
     def __init__(
         self,
@@ -80,7 +66,6 @@ class Transfer:
         self.pool.shutdown(wait=not failed, cancel_futures=True)
 
     def platforms(self, name: str) -> Mapping[str, Source]:
-        """The image of a complete reference, by platform."""
         where = references.parse(name)
         registry, manifest = self.registries(where.host), self.manifest(where)
         if manifest is None:

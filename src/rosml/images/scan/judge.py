@@ -1,10 +1,7 @@
 """Scans images for known vulnerabilities, part by part, and judges the findings by the policy.
 
-An image is a ROS image and parts. Each of these has an SBOM beside it in the registry, from its build. Each night, every SBOM is
-compared once with one state of the database, however many images have that part. So hundreds of images take some dozens of scans
-of small files, and no layer is pulled.
-
-There are three outcomes: the image is clean, the policy stops it, or the scanner failed and nothing is known.
+Each ROS image and each part has an SBOM beside it in the registry, from its build. Each night, every SBOM is compared once with one
+state of the database. So hundreds of images take some dozens of scans of small files, and no layer is pulled.
 """
 
 from __future__ import annotations
@@ -18,7 +15,7 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some
-from rosml.images.scan.policy import LONGEST, SEVERITIES, Ignored, Rules
+from rosml.images.scan.policy import LONGEST, SEVERITIES, Ignored, Policy, Rules
 from rosml.images.scan.sbom import Shelf
 from rosml.images.scan.trivy import ANOTHER, SCANNER_FAILED, Database, Report, ScannerFailed, Trivy, Vulnerability
 
@@ -40,19 +37,13 @@ class Outcome(StrEnum):
 
 @dataclass(frozen=True)
 class Part:
-    """A ROS image or a part, for one platform.
+    """A ROS image or a part, for one platform, by the place of its image manifest."""
 
-    Attributes:
-        name: the bake target of the ROS image, or the part's name.
-        registry, repository, digest: the place of its image manifest.
-        ros: whether it is a ROS image, which has an operating system.
-    """
-
-    name: str
+    name: str  # the bake target of the ROS image, or the part's name
     registry: str
     repository: str
     digest: str
-    ros: bool
+    ros: bool  # whether it is a ROS image, which has an operating system
 
     @property
     def reference(self) -> str:
@@ -70,29 +61,19 @@ class Image:
 
 @dataclass(frozen=True)
 class Finding:
-    """A known vulnerability in a package of a part.
-
-    Attributes:
-        id: the advisory.
-        severity: of `policy.SEVERITIES`.
-        fixed: the version that fixes it; empty if there is none.
-        kind: the kind of package, in trivy's words: debian, ubuntu, python-pkg.
-        ignored: the reason why the policy ignores it; empty if it does not.
-        until: the last day on which it does, such as 2027-05-31; empty if it does not.
-        fails: whether it stops the image.
-    """
+    """A known vulnerability in a package of a part."""
 
     id: str
-    severity: str
+    severity: str  # of `policy.SEVERITIES`
     package: str
     installed: str
-    fixed: str
+    fixed: str  # the version that fixes it; empty if there is none
     part: str
-    kind: str = ""
+    kind: str = ""  # the kind of package, in trivy's words: debian, ubuntu, python-pkg
     title: str = ""
     url: str = ""
-    ignored: str = ""
-    until: str = ""
+    ignored: str = ""  # the reason why the policy ignores it; empty if it does not
+    until: str = ""  # the last day on which it does, such as 2027-05-31; empty if it does not
     fails: bool = False
 
     @property
@@ -103,41 +84,26 @@ class Finding:
 
 @dataclass(frozen=True)
 class PartReport:
-    """The findings about a part.
+    """The findings about a part."""
 
-    Attributes:
-        packages: the number of packages that the scanner checked.
-        notes: remarks for readers, such as an operating system without further advisories.
-    """
-
-    packages: int
+    packages: int  # the number of packages that the scanner checked
     findings: tuple[Finding, ...]
-    notes: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()  # remarks for readers, such as an operating system without further advisories
 
 
 @dataclass(frozen=True)
 class Scanned:
-    """The result of scanning an image.
-
-    Attributes:
-        reason: why it has that outcome, in a sentence.
-        findings: all findings, the worst first.
-        packages: the number of checked packages.
-        parts: the name and the digest of each part.
-        notes: remarks for readers beside the findings.
-        matched: indexes of the policy's ignore entries that matched a finding.
-        database: None if there was none.
-    """
+    """The result of scanning an image."""
 
     target: str
     architecture: str
     outcome: Outcome
-    reason: str
-    findings: tuple[Finding, ...] = ()
+    reason: str  # why it has that outcome, in a sentence
+    findings: tuple[Finding, ...] = ()  # all findings, the worst first
     packages: int = 0
-    parts: Mapping[str, str] = field(default_factory=dict)
-    notes: tuple[str, ...] = ()
-    matched: tuple[int, ...] = ()
+    parts: Mapping[str, str] = field(default_factory=dict)  # the name and the digest of each part
+    notes: tuple[str, ...] = ()  # remarks for readers beside the findings
+    matched: tuple[int, ...] = ()  # indexes of the policy's ignore entries that matched a finding
     database: Database | None = None
 
     @property
@@ -160,15 +126,12 @@ class Scanned:
 
 @dataclass(frozen=True)
 class Run:
-    """The result of scanning many images.
-
-    Attributes:
-        images: the result of each image. Only an image's own outcome decides whether it gets its tags.
-        problems: problems of the policy's own entries, as `file:line:column: …`. They fail the run, but no image.
-    """
+    """The result of scanning many images. Only an image's own outcome decides whether it gets its tags."""
 
     images: tuple[Scanned, ...]
-    problems: tuple[str, ...] = ()
+    problems: tuple[
+        str, ...
+    ] = ()  # of the policy's own entries, as `file:line:column: …`; they fail the run, but no image
 
     @property
     def outcome(self) -> Outcome:
@@ -240,18 +203,12 @@ class Scanner:
 def part_report(report: Report, part: Part) -> PartReport:
     """The findings in trivy's report about a part."""
     results = report.Results or []
-    findings = {
-        _finding(vulnerability, result.Type, part)
-        for result in results
-        for vulnerability in result.Vulnerabilities or []
-    }
-    packages, notes = sum(len(result.Packages or []) for result in results), []
+    findings = {_finding(entry, result.Type, part) for result in results for entry in result.Vulnerabilities or []}
+    packages, notes = sum(len(result.Packages or []) for result in results), list[str]()
     system = report.Metadata.OS if report.Metadata else None
     if system and system.EOSL:
-        notes.append(
-            f"{part.name}: {system.Family} {system.Name} gets no advisories any more: "
-            "what became known since is not among the findings"
-        )
+        end = "gets no advisories any more: what became known since is not among the findings"
+        notes.append(f"{part.name}: {system.Family} {system.Name} {end}")
     return PartReport(packages, tuple(sorted(findings, key=lambda finding: finding.order)), tuple(notes))
 
 
@@ -273,11 +230,7 @@ def _finding(vulnerability: Vulnerability, kind: str, part: Part) -> Finding:
 
 
 def scan(image: Image, rules: Rules, scanner: Scanner, today: date) -> Scanned:
-    """Scans an image. If that fails, it raises nothing: the failure is the outcome.
-
-    Args:
-        today: the run's date, by which ignore entries expire.
-    """
+    """Scans an image. If that fails, it raises nothing: the failure is the outcome. Ignore entries expire by `today`."""
     reports, reasons = [], []
     for part in image.parts:
         try:
@@ -285,15 +238,12 @@ def scan(image: Image, rules: Rules, scanner: Scanner, today: date) -> Scanned:
         except ScannerFailed as error:
             reasons.append(error.message)
     expired = rules.expired(today)
-    entries = [(index, entry) for index, entry in enumerate(rules.policy.ignore) if index not in expired]
-    findings: list[Finding] = []
-    matched: set[int] = set()
+    entries = {index: entry for index, entry in enumerate(rules.policy.ignore) if index not in expired}
+    findings, matched = list[Finding](), set[int]()
     for finding in sorted((finding for report in reports for finding in report.findings), key=lambda it: it.order):
-        covering = [
-            (index, entry) for index, entry in entries if entry.covers(image.target, finding.id, finding.package)
-        ]
-        matched.update(index for index, _ in covering)
-        findings.append(_judged(finding, rules, covering[0][1] if covering else None))
+        covering = [i for i, entry in entries.items() if entry.covers(image.target, finding.id, finding.package)]
+        matched.update(covering)
+        findings.append(_judged(finding, rules.policy, entries[covering[0]] if covering else None))
     outcome, reason = _outcome(findings, reasons, image.parts)
     return Scanned(
         image.target,
@@ -309,11 +259,10 @@ def scan(image: Image, rules: Rules, scanner: Scanner, today: date) -> Scanned:
     )
 
 
-def _judged(finding: Finding, rules: Rules, entry: Ignored | None) -> Finding:
-    policy = rules.policy
-    fails = entry is None and policy.stops(finding.severity) and (bool(finding.fixed) or not policy.fixable_only)
-    ignored, until = (entry.reason, str(entry.expires)) if entry else ("", "")
-    return replace(finding, ignored=ignored, until=until, fails=fails)
+def _judged(finding: Finding, policy: Policy, entry: Ignored | None) -> Finding:
+    if entry:
+        return replace(finding, ignored=entry.reason, until=str(entry.expires))
+    return replace(finding, fails=policy.stops(finding.severity) and (bool(finding.fixed) or not policy.fixable_only))
 
 
 def _outcome(findings: Sequence[Finding], reasons: Sequence[str], parts: Sequence[Part]) -> tuple[Outcome, str]:

@@ -24,18 +24,15 @@ class Refused:
 
     Attributes:
         id, severity: the advisory and its severity.
-        fixed: the version that fixes it; empty if there is none.
-        locks: the locks that pin the version.
-        images: the targets that the scan will stop, in the order of the matrix.
     """
 
     package: str
     version: str
     id: str
     severity: str
-    fixed: str
-    locks: tuple[str, ...]
-    images: tuple[str, ...]
+    fixed: str  # the version that fixes it; empty if there is none
+    locks: tuple[str, ...]  # the locks that pin the version
+    images: tuple[str, ...]  # the targets that the scan will stop, in the order of the matrix
 
     def __str__(self) -> str:
         fix = f"fixed in {self.fixed}" if self.fixed else "not fixed"

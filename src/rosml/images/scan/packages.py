@@ -95,33 +95,19 @@ def _components(contents: Packages, of_ros: Callable[[str], Mapping[str, Any]]) 
     if whole:
         yield {"bom-ref": whole, "type": "operating-system", "name": system.name, "version": system.version}
     for package in contents.apt:
-        qualifiers = {"arch": package.architecture, "distro": whole}
-        yield _library(
-            PackageURL("deb", system.name, package.name, package.version, qualifiers),
-            package.name,
-            package.version,
-            properties=[
-                {"name": f"aquasecurity:trivy:{name}", "value": value}
-                for name, value in (
-                    ("PkgType", system.name),
-                    ("SrcName", package.source),
-                    ("SrcVersion", package.source_version),
-                )
-            ],
+        url = PackageURL(
+            "deb", system.name, package.name, package.version, {"arch": package.architecture, "distro": whole}
         )
+        facts = {"PkgType": system.name, "SrcName": package.source, "SrcVersion": package.source_version}
+        properties = [{"name": f"aquasecurity:trivy:{name}", "value": value} for name, value in facts.items()]
+        yield _library(url, package, properties=properties)
     for wheel in contents.python:
-        yield _library(PackageURL("pypi", None, wheel.name, wheel.version), wheel.name, wheel.version)
+        yield _library(PackageURL("pypi", None, wheel.name, wheel.version), wheel)
     for ros in contents.ros:
         licenses = [{"license": {"name": name}} for name in ros.licenses]
-        yield _library(
-            PackageURL("generic", "ros", ros.name, ros.version),
-            ros.name,
-            ros.version,
-            licenses=licenses,
-            **of_ros(ros.name),
-        )
+        yield _library(PackageURL("generic", "ros", ros.name, ros.version), ros, licenses=licenses, **of_ros(ros.name))
 
 
-def _library(purl: PackageURL, name: str, version: str, **more: Any) -> dict[str, Any]:
+def _library(purl: PackageURL, package: Apt | Python | Ros, **more: Any) -> dict[str, Any]:
     url = purl.to_string()
-    return {"bom-ref": url, "type": "library", "name": name, "version": version, "purl": url, **more}
+    return {"bom-ref": url, "type": "library", "name": package.name, "version": package.version, "purl": url, **more}

@@ -93,14 +93,9 @@ class Rules:
 
     def expired(self, today: date) -> dict[int, Problem]:
         """The expired entries of `ignore`, by index, each with its message."""
-        return {
-            index: self._problem(
-                index,
-                f"{entry.id} was ignored until {entry.expires}; look at it again: give it a new date, or remove it",
-            )
-            for index, entry in enumerate(self.policy.ignore)
-            if entry.expires < today
-        }
+        text = "{0.id} was ignored until {0.expires}; look at it again: give it a new date, or remove it"
+        entries = enumerate(self.policy.ignore)
+        return {index: self._problem(index, text.format(entry)) for index, entry in entries if entry.expires < today}
 
     def in_force(self, today: date) -> Policy:
         """The policy without expired entries of `ignore`."""
@@ -109,12 +104,7 @@ class Rules:
         return self.policy.model_copy(update={"ignore": entries})
 
     def unmatched(self, matched: Iterable[int], judged: Iterable[int]) -> list[Problem]:
-        """Problems of entries that matched nothing.
-
-        Args:
-            matched: indexes of entries that matched something.
-            judged: indexes of entries whose images were all scanned.
-        """
+        """Problems of entries that matched nothing; `judged` are those whose images were all scanned. Both are indexes."""
         return [
             self._problem(index, f"{self.policy.ignore[index].id} is in no image that the entry is for; remove it")
             for index in sorted({*judged} - {*matched})
@@ -122,13 +112,9 @@ class Rules:
 
     def for_nobody(self, targets: Collection[str]) -> list[Problem]:
         """Problems of entries whose pattern matches none of all targets."""
-        return [
-            self._problem(
-                index, f"{entry.targets!r} matches no image of the matrix; correct the pattern, or remove the entry"
-            )
-            for index, entry in enumerate(self.policy.ignore)
-            if not any(map(entry.is_for, targets))
-        ]
+        text = "{0.targets!r} matches no image of the matrix; correct the pattern, or remove the entry"
+        entries = enumerate(self.policy.ignore)
+        return [self._problem(index, text.format(it)) for index, it in entries if not any(map(it.is_for, targets))]
 
     def _problem(self, index: int, text: str) -> Problem:
         return self.document.problem(("ignore", index), text)

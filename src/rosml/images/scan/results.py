@@ -1,7 +1,6 @@
 """The results of a scan, as a file for a job that may write into the registry.
 
-The scanner is a large program that reads the images' contents and fetches a database, so it gets no right to publish. Its job hands
-over only data: an outcome for each image.
+The scanner is a large program that reads foreign data, so it gets no right to publish. Its job hands over an outcome for each image.
 """
 
 from __future__ import annotations

@@ -83,6 +83,7 @@ def _rule(finding: Finding) -> dict[str, Any]:
 def _result(scanned: Scanned, finding: Finding) -> dict[str, Any]:
     fix = f"fixed in {finding.fixed}" if finding.fixed else "not fixed in any version"
     text = f"{finding.package} {finding.installed} of {finding.part}: {finding.title or finding.id}; {fix}"
+    suppression = {"kind": "external", "status": "accepted", "justification": finding.ignored}
     key = "\n".join((scanned.target, scanned.architecture, finding.part, finding.package, finding.id))
     return {
         "ruleId": finding.id,
@@ -92,27 +93,15 @@ def _result(scanned: Scanned, finding: Finding) -> dict[str, Any]:
         "locations": [{"physicalLocation": {"artifactLocation": {"uri": f"{finding.part}/{finding.package}"}}}],
         "partialFingerprints": {"rosml/v1": hashlib.sha256(key.encode()).hexdigest()},
         "properties": {"fails": finding.fails, "installed": finding.installed, "fixed": finding.fixed},
-        **(
-            {"suppressions": [{"kind": "external", "status": "accepted", "justification": finding.ignored}]}
-            if finding.ignored
-            else {}
-        ),
+        **({"suppressions": [suppression]} if finding.ignored else {}),
     }
 
 
 def finding_rows(findings: Sequence[Finding]) -> Iterator[tuple[str, ...]]:
     """A row for each finding, with the cells of `COLUMNS`."""
-    for finding in findings:
-        verdict = "stops the image" if finding.fails else f"ignored: {finding.ignored}" if finding.ignored else ""
-        yield (
-            finding.severity,
-            finding.id,
-            finding.package,
-            finding.installed,
-            finding.fixed or "-",
-            finding.part,
-            verdict,
-        )
+    for item in findings:
+        verdict = "stops the image" if item.fails else f"ignored: {item.ignored}" if item.ignored else ""
+        yield (item.severity, item.id, item.package, item.installed, item.fixed or "-", item.part, verdict)
 
 
 def summary(scanned: Scanned) -> str:

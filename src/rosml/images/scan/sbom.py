@@ -67,7 +67,6 @@ class Sbom:
     content: bytes
 
     def is_of(self, digest: str) -> bool:
-        """Whether its subject is an image."""
         about = self.document.metadata
         return bool(about and about.component and about.component.name.endswith(f"@{digest}"))
 
@@ -108,9 +107,7 @@ class Sbom:
     def require(self, name: str, ros: bool) -> None:
         """Checks that it can be complete: an SBOM that lacks most packages would look like a clean image.
 
-        Args:
-            name: the part's name, for messages.
-            ros: whether it is a ROS image; any other part is made of wheels.
+        A ROS image has Debian packages. Any other part is made of wheels.
         """
         if not ros and not self.packages:
             raise ScannerFailed(
@@ -137,11 +134,7 @@ class Shelf:
         self.client, self.recorded = client, recorded
 
     def load(self, repository: str, digest: str) -> Sbom:
-        """The SBOM of a manifest.
-
-        Raises:
-            ScannerFailed: the records name none, or the one that they name is missing, not ours, or of another image.
-        """
+        """The SBOM of a manifest, if the records name one that is there, ours, and of this image."""
         artifact = self.recorded.get(digest)
         manifest = self.client.manifest(repository, artifact) if artifact else None
         if manifest is None:

@@ -52,17 +52,11 @@ class ScannerFailed(RosmlError):
 
 @dataclass(frozen=True)
 class Database:
-    """One state of trivy's database.
+    """One state of trivy's database."""
 
-    Attributes:
-        updated: the time at which it was made.
-        digest: the sha256 of the file, which is the same for all scans with this state.
-        source: its repository, with the digest there if known.
-    """
-
-    updated: str
-    digest: str
-    source: str = ""
+    updated: str  # the time at which it was made
+    digest: str  # the sha256 of the file, which is the same for all scans with this state
+    source: str = ""  # its repository, with the digest there if known
 
     def to_json(self) -> dict[str, str]:
         return asdict(self)
@@ -76,9 +70,8 @@ class Database:
                 "fetch it again; if its repositories have no newer one, see database.repositories in the policy",
             )
         if age < timedelta(hours=-1):
-            raise ScannerFailed(
-                f"the database of vulnerabilities was made in the future ({self.updated})", "set this machine's clock"
-            )
+            text = f"the database of vulnerabilities was made in the future ({self.updated})"
+            raise ScannerFailed(text, "set this machine's clock")
 
 
 class _Model(Shape):
@@ -98,8 +91,6 @@ class Vulnerability(_Model):
 
 
 class Result(_Model):
-    """Trivy's result for packages of one kind."""
-
     Type: str = ""
     Packages: list[Any] | None = None
     Vulnerabilities: list[Vulnerability] | None = None
@@ -139,29 +130,19 @@ class Trivy:
     """The program, and the folder with its database.
 
     Attributes:
-        program: the path of trivy.
-        version: its version, which is the pinned one.
-        folder: its cache, with the database below `db`.
         environment: the variables that its calls inherit.
-        scan_seconds: how long a scan may take.
-        pause: seconds before the second attempt to fetch the database.
     """
 
     program: str
-    version: str
-    folder: Path
+    version: str  # its version, which is the pinned one
+    folder: Path  # its cache, with the database below `db`
     environment: Mapping[str, str] = field(default_factory=lambda: dict(os.environ), repr=False)
     scan_seconds: float = SCAN_SECONDS
-    pause: float = PAUSE_SECONDS
+    pause: float = PAUSE_SECONDS  # seconds before the second attempt to fetch the database
 
     @classmethod
     def find(cls, root: Path, folder: Path | None = None, environment: Mapping[str, str] = os.environ) -> Trivy:
-        """The scanner of a checkout, from `rosml setup scanner`, if it has the pinned version.
-
-        Args:
-            folder: for the database; `.state/trivy` by default.
-            environment: the variables that its calls inherit.
-        """
+        """The scanner of a checkout, from `rosml setup scanner`, if it has the pinned version."""
         try:
             program = str(untrusted.json_value((root / ".state" / "scanner.json").read_bytes())["trivy"])
         except FileNotFoundError:
@@ -178,26 +159,20 @@ class Trivy:
             )
         return trivy
 
-    # ---- work -----------------------------------------------------------------------------------------------------
     def scan(self, sbom: bytes, what: str) -> Report:
-        """Trivy's report about an SBOM's packages, with all packages that it checked.
-
-        Args:
-            sbom: CycloneDX.
-            what: the SBOM's subject, for messages.
-        """
+        """Trivy's report about an SBOM's packages, with all packages that it checked. `what` is its name in messages."""
         with tempfile.TemporaryDirectory(prefix="rosml-scan-") as folder:
-            file = Path(folder) / "sbom.cdx.json"
+            file, output = Path(folder, "sbom.cdx.json"), Path(folder, "output.json")
             file.write_bytes(sbom)
-            written = self._written(
-                *("sbom", "--format", "json", "--list-all-pkgs", "--scanners", "vuln", "--cache-backend", "memory"),
-                *("--skip-db-update", "--skip-java-db-update", "--offline-scan", "--skip-vex-repo-update"),
-                str(file),
+            self.run(
+                *("sbom", "--output", str(output), "--format", "json", "--list-all-pkgs", "--scanners", "vuln"),
+                *("--cache-backend", "memory", "--skip-db-update", "--skip-java-db-update", "--offline-scan"),
+                *("--skip-vex-repo-update", str(file)),
                 seconds=self.scan_seconds,
             )
+            written = output.read_bytes() if output.is_file() else b""
         return read_report(written, what)
 
-    # ---- the database ---------------------------------------------------------------------------------------------
     def fetch(self, rules: DatabaseRules, pinned: str = "", say: Callable[[str], None] = lambda line: None) -> Database:
         """Fetches the database from the first repository that has it. Call it once per run and machine.
 
@@ -223,7 +198,6 @@ class Trivy:
         raise _unreachable("the database of vulnerabilities cannot be fetched", reasons)
 
     def database(self) -> Database:
-        """The present database."""
         folder = self.folder / "db"
         try:
             facts = _Database.model_validate(untrusted.json_value((folder / "metadata.json").read_bytes()))
@@ -253,9 +227,7 @@ class Trivy:
             with mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
                 return [name for name in sources if content.find(name.encode()) < 0]
 
-    # ---- calls ----------------------------------------------------------------------------------------------------
     def run(self, *arguments: str, seconds: float) -> str:
-        """Calls trivy. Returns its output."""
         self.folder.mkdir(parents=True, exist_ok=True)
         env = {
             name: text for name, text in self.environment.items() if name in OUR_OWN or not name.startswith("TRIVY_")
@@ -270,16 +242,6 @@ class Trivy:
         if code != 0:
             raise ScannerFailed(f"trivy {arguments[0]}: {_reason(errors) or f'exit code {code}'}")
         return output
-
-    def _written(self, *arguments: str, seconds: float) -> bytes:
-        """Calls trivy. Returns the file that it writes."""
-        with tempfile.TemporaryDirectory(prefix="rosml-trivy-") as folder:
-            file = Path(folder) / "output.json"
-            self.run(arguments[0], "--output", str(file), *arguments[1:], seconds=seconds)
-            try:
-                return file.read_bytes()
-            except OSError:
-                return b""
 
 
 def read_report(written: bytes, what: str) -> Report:
@@ -299,11 +261,7 @@ def read_report(written: bytes, what: str) -> Report:
 def resolve(rules: DatabaseRules, head: Callable[[str], str]) -> str:
     """The newest state of the database, for all shards of a run.
 
-    Args:
-        head: returns the digest of a reference; empty if there is none.
-
-    Returns:
-        Repository and digest, for `Trivy.fetch`.
+    `head` returns the digest of a reference, or an empty text. The result is for `Trivy.fetch`.
     """
     reasons = []
     for repository in rules.repositories:
