@@ -847,7 +847,7 @@ def test_a_signal_ends_every_resolution_at_once(checkout: Path) -> None:
 def test_wheels_that_differ_from_a_shared_part_are_named(
     checkout: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """For people, for a pull request and for machines. tests/unit/images/test_shared_files.py finds them."""
+    """For people, for a pull request and for machines. tests/unit/images/locks/test_shared_files.py finds them."""
     files = ("tensorflow/include/a.h",)
     found = Difference("tensorflow-cc", "cpu", "arm64", "tensorflow==2.20.0", "3.11", "3.12", files)
     monkeypatch.setattr(shared_files, "differences", lambda *_: [found])

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import pytest
 
 from rosml.base.errors import RosmlError
-from rosml.images.join import label_claims as told
+from rosml.images.join import label_claims
 from tests.e2e.parts import part, ros
 
 MANY = " ".join(f"p{number}" for number in range(100_000))
@@ -19,22 +19,20 @@ def label(name: str, value: str) -> dict[str, str]:
 
 
 @pytest.mark.parametrize(
-    "said", [ros().labels, PART, part("cuda").labels, {}, label("parts", ""), label("python", "any")]
+    "labels", [ros().labels, PART, part("cuda").labels, {}, label("parts", ""), label("python", "any")]
 )
-def test_what_our_own_say(said: Mapping[str, str]) -> None:
-    told.require(said, "x")
+def test_our_own_labels(labels: Mapping[str, str]) -> None:
+    label_claims.require(labels, "x")
 
 
 @pytest.mark.parametrize(
-    ("said", "why"),
+    ("labels", "reason"),
     [
         (label("parts", MANY), "it has 100,000 names, and at most 64 are read"),
-        (label("addons", MANY), "it has 100,000 names, and at most 64 are read"),
         (label("parts", "common common"), "'common' is there twice"),
         (label("parts", "common ../../x"), "'../../x' is no name"),
         (label("addons", "\x1b[31m"), r"'\x1b[31m' is no name"),
         (label("addons", "x" * 65), f"'{'x' * 64}' is no name"),
-        (label("stack", "../../cpu"), "'../../cpu' is no name"),
         (label("stack", "cpu\n"), r"'cpu\n' is no name"),
         (label("python", "3.11/../x"), "'3.11/../x' is no name"),
         (label("distribution", "jazzy\nremedy: x"), r"'jazzy\nremedy: x' is no name"),
@@ -50,15 +48,16 @@ def test_what_our_own_say(said: Mapping[str, str]) -> None:
         (PART | label("graph", "$PATH"), "'$PATH' is no name, version or value"),
         (PART | label("brings", "graph:graph:\x1b[1m"), r"'\x1b[1m' is no name, version or value"),
         (PART | label("graph.environment", 'A_B=1"x'), "'1\"x' is no name, version or value"),
-        (PART | label("graph.environment", "A_B=$PATH"), "'$PATH' is no name, version or value"),
         (PART | label("graph.environment", "path=x"), "'graph:graph:GRAPH' names no software"),
         (PART | label("graph.environment", " ".join(f"A_{number}=1" for number in range(99))), "more than 64 variables"),
         (PART | label("brings", "graph:: graph::"), "'graph' is there twice"),
     ],
 )  # fmt: skip
-def test_what_is_damaged(said: Mapping[str, str], why: str) -> None:
+def test_damaged_labels(labels: Mapping[str, str], reason: str) -> None:
     with pytest.raises(RosmlError) as caught:
-        told.require(said, "ghcr.io/me/x:1")
+        label_claims.require(labels, "ghcr.io/me/x:1")
     message = caught.value.message
-    assert message.startswith("ghcr.io/me/x:1: its label io.rosml.") and " is damaged: " in message and why in message
+    assert (
+        message.startswith("ghcr.io/me/x:1: its label io.rosml.") and " is damaged: " in message and reason in message
+    )
     assert len(message) < 300 and message.isprintable() and caught.value.exit_code == 2 and caught.value.remedy
