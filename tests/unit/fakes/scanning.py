@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from rosml.images.matrix.source import parse
-from rosml.images.scan import packages
+from rosml.images.scan import judge, packages
 from rosml.images.scan.judge import Image, Part
 from rosml.images.scan.policy import Rules, parsed
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE, Shelf
@@ -72,20 +72,20 @@ elif "sbom" in argv:
     behave(world["fail"].get(digest) or world["fail"].get("sbom"))
     if not (cache / "db/trivy.db").exists():
         fail("init error: DB error: database error: --skip-db-update cannot be specified on the first run")
-    known = json.JSONDecoder().raw_decode((cache / "db/trivy.db").read_text())[0]
+    advisories = json.JSONDecoder().raw_decode((cache / "db/trivy.db").read_text())[0]
     components = document["components"]
     packages = [c for c in components if c["type"] == "library"]
     system = [c["version"] for c in components if c["type"] == "operating-system"]
-    found = [
+    vulnerabilities = [
         {{**a, "PkgName": p["name"], "InstalledVersion": p["version"], "Title": "what it is about"}}
-        for p in packages for a in known.get(p["name"], [])
+        for p in packages for a in advisories.get(p["name"], [])
     ]
     missed = world["fail"].get("missed", 0)
     pathlib.Path(after("--output")).write_text(json.dumps({{
         "SchemaVersion": 2,
         "Metadata": {{"OS": {{"Family": "debian", "Name": system[0], "EOSL": world.get("eosl", False)}}}} if system else {{}},
         "Results": [{{"Target": "t", "Class": "os-pkgs", "Type": "debian", "Packages": packages[missed:],
-                     "Vulnerabilities": found}}],
+                     "Vulnerabilities": vulnerabilities}}],
     }}))
 else:
     fail("unknown command")
@@ -93,20 +93,16 @@ else:
 
 
 def digest(name: str) -> str:
-    """The digest of a local replacement for an image."""
     return f"sha256:{hashlib.sha256(name.encode()).hexdigest()}"
 
 
 def sbom_of(reference: str, names: Iterable[str], system: str = "") -> bytes:
     """The SBOM of an image of Debian, or of a part without a system."""
-    apt = [
-        packages.Apt(name=name, version="1.0", architecture="amd64", source=name, source_version="1.0")
-        for name in names
-    ]
-    wheels = [packages.Python(name=name, version="1.0") for name in names]
+    facts = {"version": "1.0", "architecture": "amd64", "source_version": "1.0"}
+    apt = [packages.Apt(name=name, source=name, **facts) for name in names if system]
+    wheels = [packages.Python(name=name, version="1.0") for name in names if not system]
     of = packages.System(name="debian" if system else "", version=system)
-    found = packages.Packages(system=of, apt=apt if system else [], python=[] if system else wheels, ros=[])
-    return packages.cyclonedx(found, reference)
+    return packages.cyclonedx(packages.Packages(system=of, apt=apt, python=wheels, ros=[]), reference)
 
 
 def advisory(name: str, severity: str = "HIGH", fixed: str = "2.0") -> dict[str, str]:
@@ -116,14 +112,11 @@ def advisory(name: str, severity: str = "HIGH", fixed: str = "2.0") -> dict[str,
 
 @dataclass
 class World:
-    """A folder with a local replacement trivy, and what that one finds where.
+    """A folder with a local replacement for trivy and its database, and a registry in memory.
 
     Attributes:
-        folder: for the program, its calls and its cache.
-        advisories: by package, what the database knows.
-        updated: when the database was made; buckets: names of the advisories' sources that it has.
-        fail: what goes wrong, by call: `fetch`, `sbom`, that of a digest; `missed`: packages that are not looked at.
-        memory: the registry. records: which SBOMs the publisher's records name.
+        fail: what goes wrong, by call: `fetch`, `sbom`, that of a digest; `missed`: packages that are not checked.
+        records: the SBOMs that the publisher's records name.
     """
 
     folder: Path
@@ -133,7 +126,7 @@ class World:
     schema: int = 2
     sources: tuple[str, ...] = ("example.org/db:2",)
     eosl: bool = False
-    buckets: str = "debian 12, pip::GitHub"
+    buckets: str = "debian 12, pip::GitHub"  # the sources of advisories in the database
     fail: dict[str, Any] = field(default_factory=dict)
     memory: Memory = field(default_factory=lambda: Memory())
     records: dict[str, str] = field(default_factory=dict)
@@ -153,22 +146,19 @@ class World:
 
     def part(self, name: str, *names: str, ros: bool = False, system: str = "12.15") -> Part:
         """A part with packages, and with its SBOM."""
-        found = Part(name, HOST, f"rosml/{name}", digest(name), ros)
-        self.records[found.digest] = self.attach(found, sbom_of(found.reference, names, system if ros else ""))
-        return found
+        part = Part(name, HOST, f"rosml/{name}", digest(name), ros)
+        self.records[part.digest] = self.attach(part, sbom_of(part.reference, names, system if ros else ""))
+        return part
 
     def attach(self, to: Part, content: bytes, annotations: Mapping[str, str] = FORMAT) -> str:
-        """Attaches what is or is not an SBOM; the records know nothing of it."""
         subject = {"mediaType": oci.IMAGE, "digest": to.digest, "size": 7}
         return self.memory.attach(to.repository, subject, MEDIA_TYPE, content, MEDIA_TYPE, annotations)
 
     def shelf(self) -> Shelf:
-        """The SBOMs that the records name."""
         client: Any = self.memory
         return Shelf(client, self.records)
 
     def trivy(self, **changes: Any) -> Trivy:
-        """The program, as the publisher finds it; its database is there."""
         self.write()
         program = self.folder / "trivy"
         program.write_text(PROGRAM)
@@ -178,10 +168,23 @@ class World:
         (root / ".state" / "scanner.json").write_text(json.dumps({"trivy": str(program)}))
         (root / "tools/go/trivy").mkdir(parents=True, exist_ok=True)
         (root / "tools/go/trivy/go.mod").write_text(f"require (\n\tgithub.com/aquasecurity/trivy v{VERSION}\n)\n")
-        found = Trivy.find(root, self.folder / "cache")
+        trivy = Trivy.find(root, self.folder / "cache")
         for name, value in {"pause": 0.0, **changes}.items():
-            setattr(found, name, value)
-        return found
+            setattr(trivy, name, value)
+        return trivy
+
+    def ready(self, **changes: Any) -> Trivy:
+        """The program with a database that was just fetched."""
+        program = self.trivy(**changes)
+        program.fetch(rules().policy.database)
+        return program
+
+    def run(self, *images: Image, **options: Any) -> judge.Run:
+        """A scan of images."""
+        policy, now = options.pop("rules", rules()), options.pop("now", NOW)
+        scanner = judge.Scanner(self.ready(**options.pop("trivy", {})), self.shelf())
+        scans = judge.scan_images(images, policy, scanner, now)
+        return judge.summarise(scans, policy, now.date(), options.pop("whole", True), **options)
 
     def calls(self, word: str) -> list[str]:
         """The calls of the program with a word in them."""
@@ -200,8 +203,8 @@ class Memory:
         raise AttributeError(f"what keeps SBOMs has no need to {name}")
 
     def manifest(self, repository: str, reference: str) -> Manifest | None:
-        known = [item for items in self.attached.values() for item in items if item.digest == reference]
-        return known[0] if known else None
+        matches = [item for items in self.attached.values() for item in items if item.digest == reference]
+        return matches[0] if matches else None
 
     def part(self, repository: str, descriptor: Descriptor) -> bytes:
         return self.blobs[descriptor.digest]
@@ -218,12 +221,7 @@ class Memory:
         blob = f"sha256:{hashlib.sha256(part).hexdigest()}"
         self.blobs[blob] = part
         layer = {"mediaType": media_type, "digest": blob, "size": len(part)}
-        content = {
-            "schemaVersion": 2,
-            "layers": [layer],
-            "annotations": dict(annotations),
-            "subject": dict(subject),
-        }
+        content = {"schemaVersion": 2, "layers": [layer], "annotations": dict(annotations), "subject": dict(subject)}
         name = digest(json.dumps(content))
         self.attached.setdefault((repository, subject["digest"]), []).append(Manifest(content, name, "m", 1))
         return name
@@ -241,11 +239,10 @@ def rules(ignore: str = "", **changes: str) -> Rules:
     """A policy, with entries of `ignore` and other values."""
     text = POLICY + (f"ignore:\n{ignore}" if ignore else "")
     for name, value in changes.items():
-        old = next(line for line in text.splitlines() if line.startswith(f"{name}:"))
-        text = text.replace(old, f"{name}: {value}")
+        line = next(line for line in text.splitlines() if line.startswith(f"{name}:"))
+        text = text.replace(line, f"{name}: {value}")
     return parsed(parse(text.encode(), "scan.yaml"))
 
 
 def image(target: str, *parts: Part) -> Image:
-    """An image of parts."""
     return Image(target, "amd64", parts)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable
-from datetime import date, timedelta
+from datetime import timedelta
 from pathlib import Path
 from typing import Any
 
@@ -27,9 +26,6 @@ from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registry
 
-IGNORE = "- {id: CVE-2026-1, reason: not reachable, expires: 2027-01-31}\n"
-USELESS = IGNORE.replace("CVE-2026-1", "CVE-2026-9")
-EXPIRED = IGNORE.replace("2027-01-31", "2026-11-21")
 INSTALL = "run 'rosml setup scanner'"
 
 
@@ -40,22 +36,8 @@ def world(tmp_path: Path) -> World:
     return World(tmp_path, advisories=advisories)
 
 
-def ready(world: World, **changes: Any) -> Trivy:
-    """The scanner with a database that was just fetched."""
-    program = world.trivy(**changes)
-    program.fetch(rules().policy.database)
-    return program
-
-
-def run(world: World, *images: judge.Image, **options: Any) -> judge.Run:
-    policy, now = options.pop("rules", rules()), options.pop("now", NOW)
-    scanner = judge.Scanner(ready(world, **options.pop("trivy", {})), world.shelf())
-    scans = judge.scan_images(images, policy, scanner, now)
-    return judge.summarise(scans, policy, now.date(), options.pop("whole", True), **options)
-
-
 def scanned(world: World, *parts: judge.Part, **options: Any) -> Scanned:
-    return run(world, image("alpha-base", *parts), **options).images[0]
+    return world.run(image("alpha-base", *parts), **options).images[0]
 
 
 def base(world: World) -> judge.Part:
@@ -70,7 +52,7 @@ def harmless(world: World, name: str = "c") -> judge.Part:
 
 
 def test_clean(world: World) -> None:
-    result = run(world, image("alpha-core", harmless(world, "alpha-core")))
+    result = world.run(image("alpha-core", harmless(world, "alpha-core")))
     assert (result.outcome, result.outcome.exit_code) == (Outcome.CLEAN, 0)
     (scan,) = result.images
     assert (scan.reason, scan.packages, scan.findings) == ("no findings", 1, ())
@@ -82,7 +64,7 @@ def test_clean(world: World) -> None:
 
 
 def test_the_policy_stops_an_image(world: World) -> None:
-    result = run(world, image("alpha-base-torch", base(world), world.part("torch", "torch", "numpy")))
+    result = world.run(image("alpha-base-torch", base(world), world.part("torch", "torch", "numpy")))
     assert (result.outcome, result.outcome.exit_code) == (Outcome.POLICY_FAILED, 3)
     (scan,) = result.images
     assert scan.reason == "2 findings that the policy does not allow: CVE-2026-2 in torch, CVE-2026-1 in libc6"
@@ -116,7 +98,7 @@ def test_severity_and_fix_decide(world: World, severity: str, fixed: str, change
 def test_one_image_does_not_stop_another(world: World) -> None:
     world.fail = {digest("broken"): "crash"}
     parts = (harmless(world, "broken"), harmless(world), base(world))
-    result = run(world, *(image(part.name, part) for part in parts))
+    result = world.run(*(image(part.name, part) for part in parts))
     outcomes = [Outcome.SCANNER_FAILED, Outcome.CLEAN, Outcome.POLICY_FAILED]
     assert [scan.outcome for scan in result.images] == outcomes
     assert (result.outcome, result.outcome.exit_code) == (Outcome.SCANNER_FAILED, 4)
@@ -279,7 +261,7 @@ def test_no_database(world: World) -> None:
     "text", ["", "{}", "[]", '{"UpdatedAt": "yesterday"}', '{"UpdatedAt": "0001-01-01T00:00:00Z"}']
 )
 def test_a_damaged_database(world: World, text: str) -> None:
-    program = ready(world)
+    program = world.ready()
     (program.folder / "db/metadata.json").write_text(text)
     with pytest.raises(ScannerFailed, match="is damaged"):
         program.database()
@@ -288,7 +270,7 @@ def test_a_damaged_database(world: World, text: str) -> None:
 def test_a_database_of_another_format(world: World) -> None:
     world.schema = 3
     with pytest.raises(ScannerFailed, match="has format 3, and trivy reads 2"):
-        ready(world)
+        world.ready()
 
 
 def test_a_new_format_of_the_database_is_no_other_format_of_reports(
@@ -320,7 +302,7 @@ def test_the_next_repository_is_asked(world: World) -> None:
 
 def test_no_repository_answers(world: World) -> None:
     """Nor is the database of yesterday taken for today's."""
-    program = ready(world)
+    program = world.ready()
     world.sources = ()
     world.write()
     with pytest.raises(ScannerFailed) as caught:
@@ -361,7 +343,7 @@ def test_the_command_prints_the_newest_state(tmp_path: Path, monkeypatch: pytest
 
 
 def test_a_database_that_changes_during_the_run(world: World) -> None:
-    part, program = base(world), ready(world)
+    part, program = base(world), world.ready()
 
     def exchange(line: str) -> None:
         if line.startswith("scan"):
@@ -395,7 +377,7 @@ def test_a_shared_part_is_scanned_once(world: World, fails: bool) -> None:
     torch = world.part("torch", "torch")
     world.fail = {torch.digest: "crash"} if fails else {}
     images = [image(name, harmless(world, name), torch) for name in ("a", "b", "c")]
-    scans = run(world, *images).images
+    scans = world.run(*images).images
     assert {scan.outcome for scan in scans} == {Outcome.SCANNER_FAILED if fails else Outcome.POLICY_FAILED}
     assert len(world.calls("sbom")) == 4
 
@@ -436,88 +418,3 @@ def test_a_registry_that_fails(world: World) -> None:
     part, world.memory = base(world), Broken()
     scan = scanned(world, part)
     assert scan.outcome is Outcome.SCANNER_FAILED and scan.reason.endswith("the registry answers 503")
-
-
-# ---- ignore entries -------------------------------------------------------------------------------------------------
-
-
-def test_an_entry_ignores(world: World) -> None:
-    scan = scanned(world, base(world), rules=rules(IGNORE))
-    assert (scan.outcome, scan.matched) == (Outcome.CLEAN, (0,))
-    assert (scan.findings[0].ignored, scan.findings[0].until) == ("not reachable", "2027-01-31")
-
-
-def test_an_expired_entry_ignores_nothing_and_fails_the_run(world: World) -> None:
-    result = run(world, image("alpha-base", base(world)), image("c", harmless(world)), rules=rules(EXPIRED))
-    assert [it.outcome for it in result.images] == [Outcome.POLICY_FAILED, Outcome.CLEAN]
-    (problem,) = result.problems
-    assert problem.startswith("scan.yaml:6:3: ignore[0]: CVE-2026-1 was ignored until 2026-11-21; look at it again")
-    result = run(world, image("c", harmless(world)), rules=rules(EXPIRED), whole=False)
-    assert (result.images[0].outcome, result.outcome) == (Outcome.CLEAN, Outcome.POLICY_FAILED)
-
-
-def test_entries_expire_by_the_runs_date(world: World) -> None:
-    scanner, part = judge.Scanner(ready(world), world.shelf()), base(world)
-    world.write()
-    for day, outcome in ((date(2027, 1, 31), Outcome.CLEAN), (date(2027, 2, 1), Outcome.POLICY_FAILED)):
-        assert judge.scan(image("alpha-base", part), rules(IGNORE), scanner, day).outcome is outcome
-
-
-def test_an_entry_that_matches_nothing_fails_the_run(world: World) -> None:
-    result = run(world, image("alpha-base", base(world)), rules=rules(IGNORE + USELESS))
-    assert (result.images[0].outcome, result.outcome) == (Outcome.CLEAN, Outcome.POLICY_FAILED)
-    assert result.problems == ("scan.yaml:7:3: ignore[1]: CVE-2026-9 is in no image that the entry is for; remove it",)
-
-
-def test_an_entry_for_other_images_matches_nothing_here(world: World) -> None:
-    policy = rules(IGNORE.replace("reason", 'targets: "omega-*", reason'))
-    result = run(world, image("alpha-base", base(world)), rules=policy, targets=["alpha-base", "omega-base"])
-    assert result.images[0].outcome is Outcome.POLICY_FAILED
-    assert result.problems == (), "nothing is known about omega-base"
-
-
-@pytest.mark.parametrize(
-    ("fields", "problem", "fails_elsewhere"),
-    [
-        ('targets: "omega-*"', "", False),
-        ('expires: 2026-11-01, targets: "omega-*"', "", True),
-        ("", "", False),
-        ('targets: "alpha-*"', "ignore[0]: CVE-2026-9 is in no image that the entry is for", False),
-        ('expires: 2026-11-01, targets: "*"', "ignore[0]: CVE-2026-9 was ignored until 2026-11-01", True),
-        ('targets: "omga-*"', "ignore[0]: 'omga-*' matches no image of the matrix", True),
-    ],
-)
-def test_entries_about_images_that_a_set_leaves_out_are_silent(
-    world: World, fields: str, problem: str, fails_elsewhere: bool
-) -> None:
-    """They are in the policy of the matrix that it extends, whose own run names those of no use."""
-    text = USELESS.replace(", expires: 2027-01-31", "") if "expires" in fields else USELESS
-    policy = rules(text.replace("reason", f"{fields}, reason") if fields else text)
-    bash = image("alpha-base", harmless(world))
-    result = run(world, bash, rules=policy, targets=["alpha-base"], left_out=["omega-base"])
-    assert [problem in text for text in result.problems] == [True] * bool(problem)
-    whole = run(world, bash, rules=policy, targets=["alpha-base", "omega-base"], whole=False)
-    assert bool(whole.problems) == fails_elsewhere
-
-
-def _of_some_images(world: World) -> judge.Run:
-    return run(world, image("alpha-base", base(world)), rules=rules(USELESS), whole=False)
-
-
-def _of_an_unknown_image(world: World) -> judge.Run:
-    world.fail = {digest("broken"): "crash"}
-    return run(world, image("b", harmless(world, "broken")), rules=rules(USELESS))
-
-
-@pytest.mark.parametrize("case", [_of_some_images, _of_an_unknown_image])
-def test_an_entry_is_not_called_useless_too_soon(world: World, case: Callable[[World], judge.Run]) -> None:
-    assert case(world).problems == ()
-
-
-def test_shards_are_summed_up(world: World) -> None:
-    """An entry that matches in one shard is not useless because of another."""
-    policy = rules(IGNORE + USELESS)
-    shards = [run(world, image("x", part), rules=policy, whole=False) for part in (base(world), harmless(world))]
-    scans = [scan for shard in shards for scan in shard.images]
-    whole = judge.summarise(scans, policy, NOW.date(), whole=True)
-    assert [problem.split(": ")[2][:10] for problem in whole.problems] == ["CVE-2026-9"]
