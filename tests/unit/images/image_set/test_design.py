@@ -14,20 +14,12 @@ from rosml.images.matrix import rules
 
 
 def test_every_axis(real: ImageSet) -> None:
-    """The axes of the design, and as many images as it asks for."""
-    ubuntu = ["noetic", "foxy", "humble", "iron", "jazzy", "kilted", "lyrical", "rolling"]
-    assert list(real.matrix.distributions) == [*ubuntu, "ros1-bookworm", "ros1-trixie", "jazzy-wheels"]
-    assert list(real.matrix.components) == [
-        *("core", "base", "robot", "perception", "desktop", "desktop-full", "core-run", "base-run")
-    ]
-    assert list(real.matrix.frameworks) == ["none", "cuda", "torch", "tensorflow", "ml"]
-    assert list(real.matrix.stacks) == ["cu128", "cu130", "cu132", "cu121", "cpu", "cpu38", "cpu314"]
+    """As many images as the design asks for."""
     assert len([image for image in real.images if not image.addons]) == 801
-    named = {name: [image for image in real.images if image.addons == (name,)] for name in real.matrix.addons}
-    assert all(named.values()), "each is tested somewhere"
-    assert len([tag for images in named.values() for image in images for tag in image.tags]) <= 30
-    both = [image for image in real.images if len(image.platforms) == 2]
-    assert len([tag for image in both for tag in image.tags]) > 300
+    with_addon = {name: [image for image in real.images if image.addons == (name,)] for name in real.matrix.addons}
+    assert all(with_addon.values()), "each is tested somewhere"
+    assert len([tag for images in with_addon.values() for image in images for tag in image.tags]) <= 30
+    assert len([tag for image in real.images if len(image.platforms) == 2 for tag in image.tags]) > 300
 
 
 def test_every_distribution_has_every_framework_that_its_facts_allow(real: ImageSet) -> None:
@@ -72,20 +64,6 @@ def test_the_short_tags_of_every_framework(real: ImageSet) -> None:
     } | {"ros-onnx:jazzy": "cu130", "ros-onnx:humble": "cu128"}  # fmt: skip
 
 
-def test_what_goes_with_pytorch(real: ImageSet) -> None:
-    """torchvision wherever the Python package index has one for all of a stack; torchaudio where its last one works."""
-    company = {name: rules.company(real.matrix, name, ["torch"]) for name in real.matrix.stacks}
-    assert {name: sorted(found) for name, found in company.items()} == {
-        "cu128": ["torchaudio", "torchvision"],
-        "cu130": ["torchaudio", "torchvision"],
-        "cu132": ["torchvision"],
-        "cu121": ["torchaudio", "torchvision"],
-        "cpu": [],
-        "cpu314": [],
-        "cpu38": [],
-    }
-
-
 def rows(page: str, head: str) -> list[list[str]]:
     """The rows of a page's table that begins with a head."""
     table = (ROOT / page).read_text().partition(head)[2].partition("\n\n")[0]
@@ -96,14 +74,14 @@ def rows(page: str, head: str) -> list[list[str]]:
 def test_the_page_about_gpus_says_what_the_labels_do(real: ImageSet) -> None:
     matrix = real.matrix
     titles = {"torch": "PyTorch", "tensorflow": "TensorFlow", "onnxruntime": "ONNX Runtime"}
-    found = []
+    lines = []
     for name, stack in matrix.stacks.items():
         facts = rules.gpu(matrix, name, [part.name for part in matrix.parts if part.release in (None, *stack.releases)])
         built = {family: [facts.pop(f"{family}.{x}", "") for x in ("amd64", "arm64")] for family in titles}
         driver = facts.pop("driver", "")
         assert not facts, "a column or a library that the page lacks"
-        found += [[name, driver, titles[family], *columns] for family, columns in built.items() if any(columns)]
-    assert sorted(rows("docs/gpus.md", "| stack | driver |")) == sorted(found)
+        lines += [[name, driver, titles[family], *columns] for family, columns in built.items() if any(columns)]
+    assert sorted(rows("docs/gpus.md", "| stack | driver |")) == sorted(lines)
 
 
 def test_the_page_about_parts_says_what_goes_with_pytorch(real: ImageSet) -> None:
@@ -137,11 +115,7 @@ def test_every_lock_is_used(real: ImageSet) -> None:
 def test_what_is_experimental(real: ImageSet) -> None:
     """ROS 2 from wheels: one component, for the one architecture that they are for."""
     rows = real.matrix.distributions.items()
-    assert (
-        [name for name, row in rows if row.experimental]
-        == [name for name, row in rows if row.wheels]
-        == ["jazzy-wheels"]
-    )
+    assert [name for name, row in rows if row.experimental or row.wheels] == ["jazzy-wheels"]
     images = [image for image in real.images if image.distribution == "jazzy-wheels"]
     assert {image.platforms for image in images} == {("linux/amd64",)}
     assert {image.component for image in images} == {"core"}
@@ -174,22 +148,6 @@ def test_budgets_leave_room_for_the_forecast_and_little_more(real: ImageSet) -> 
         assert forecast <= (image.budget or 0) <= most, (image.target, forecast)
 
 
-REAL_REASONS = {
-    "lyrical-base-tensorflow-cpu": "no release of tensorflow has a wheel for Python 3.14, the Python of ubuntu-26.04",
-    "jazzy-robot": "jazzy (ROS 2) has no robot metapackage; it has core, base, perception, desktop, desktop-full, core-run and base-run",
-    "ros1-bookworm-core-tensorflow-cu130": "stack cu130 has no release of tensorflow",
-    "noetic-base-torch-cu128": "torch 2.10.0 has no wheel for Python 3.8, the Python of ubuntu-20.04 (2.4.1 has)",
-    "noetic-base-ml-cpu38": "what framework ml needs of stack cpu38 does not go together (tensorflow 2.13.1 needs "
-    "typing-extensions below 4.6, torch 2.4.1 needs 4.8)",
-    "jazzy-base-cuda-cpu": "framework cuda needs accelerator cuda, and stack cpu has cpu",
-}
-
-
-@pytest.mark.parametrize("name", REAL_REASONS)
-def test_reasons_of_the_real_matrix(real: ImageSet, name: str) -> None:
-    assert why_not(real, name) == f"{name} does not exist: {REAL_REASONS[name]}."
-
-
 @pytest.mark.parametrize(
     ("name", "called"),
     [
@@ -218,17 +176,15 @@ GLIBC = {"bookworm": 36, "trixie": 41, "ubuntu-20.04": 31, "ubuntu-22.04": 35, "
 
 def test_every_operating_system_takes_every_part_for_its_python(real: ImageSet) -> None:
     """Of Debian's family, with a glibc as new as the wheels ask for: so join need not tell systems apart."""
-    asked = {int(facts.wheels.rpartition("_")[2]) for facts in real.matrix.architectures.values()}
+    needed = {int(facts.wheels.rpartition("_")[2]) for facts in real.matrix.architectures.values()}
     for name, system in real.matrix.operating_systems.items():
         assert system.image.startswith(("docker.io/library/debian:", "docker.io/library/ubuntu:")), name
         assert name in GLIBC, f"{name} is new: look up its glibc"
-        assert GLIBC[name] >= max(asked), f"{name} has glibc 2.{GLIBC[name]}, and wheels ask for 2.{max(asked)}"
+        assert GLIBC[name] >= max(needed), f"{name} has glibc 2.{GLIBC[name]}, and wheels ask for 2.{max(needed)}"
         for family, releases in real.matrix.releases.items():
             for version, release in releases.items():
                 if release.glibc and system.python in release.python:
-                    assert GLIBC[name] >= int(release.glibc.partition(".")[2]), (
-                        f"{name} is too old for {family} {version}"
-                    )
+                    assert GLIBC[name] >= int(release.glibc.partition(".")[2]), (name, family, version)
 
 
 def test_everything_is_tested_somewhere_in_each_row(real: ImageSet) -> None:
@@ -240,9 +196,8 @@ def test_everything_is_tested_somewhere_in_each_row(real: ImageSet) -> None:
         assert all(set(image.architectures) <= set(proof.architectures) for proof in proofs), image.target
         if image.locked and image.stack:
             carrier = real.by_target[image.carriers[0]]
-            assert (
-                carrier.locked and set(image.parts) <= set(carrier.parts) and set(image.carried) <= set(carrier.tests)
-            )
+            assert carrier.locked and set(image.parts) <= set(carrier.parts)
+            assert set(image.carried) <= set(carrier.tests)
     workspaces = {image.target for image in real.images if "ros1-workspace" in image.tests}
     assert workspaces >= {f"ros1-bookworm-core{end}" for end in ("", "-ml-cu128", "-torch-cu130", "-tensorflow-cpu")}
     assert not {"ros1-bookworm-base", "ros1-bookworm-core-torch-cu128", "ros1-trixie-core-tensorflow-cpu"} & workspaces

@@ -23,13 +23,13 @@ from rosml.images.locks.shared_files import Difference
 
 LOCK = {"locks/cpu/amd64/any/tensorflow-cc.txt": "tensorflow-cpu==2.21.0 \\\n    --hash=sha256:aa\n"}
 
+# A local replacement for uv: for each version of Python it names another wheel.
 RESOLVER = """\
 while [ $# -gt 0 ]; do case $1 in --python-version) python=$2 ;; --output-file) output=$2 ;; esac; shift; done
 size=$(cat "$(dirname "$0")/$python")
 printf '[[packages]]\\nname = "tensorflow-cpu"\\nversion = "2.21.0"\\n' >"$output"
 printf 'wheels = [{ url = "http://index/%s.whl", size = %s }]\\n' "$python" "$size" >>"$output"
 """
-"""A local replacement for uv: for each version of Python it names another wheel."""
 
 
 def wheel(record: str) -> bytes:
@@ -55,7 +55,6 @@ def client(wheels: Mapping[str, bytes], sent: list[int], ranges: bool = True) ->
 
 
 def differences(tmp_path: Path, records: Mapping[str, str], sent: list[int] | None = None) -> list[Difference]:
-    """Compares wheels with these RECORDs, by Python."""
     wheels = {python: wheel(records.get(python, records["3.11"])) for python in ("3.10", "3.11", "3.12", "3.13")}
     for python, content in wheels.items():
         (tmp_path / python).write_text(str(len(content)))
@@ -75,18 +74,14 @@ def components(tmp_path: Path) -> Path:
 
 
 def test_files_of_another_python_are_named(tmp_path: Path, components: Path) -> None:
-    """Headers that differ, are missing, or come besides; each Python that has them."""
+    """Headers that differ, are missing, or come besides."""
     records = {
         "3.11": "tensorflow/include/a.h,sha256=1,1\ntensorflow/include/b.h,sha256=1,1\n",
         "3.12": "tensorflow/include/a.h,sha256=2,1\ntensorflow/include/c.h,sha256=1,1\n",
     }
     (difference,) = differences(tmp_path, records)
-    assert (difference.part, difference.package, difference.built_from, difference.python) == (
-        "tensorflow-cc",
-        "tensorflow-cpu==2.21.0",
-        "3.11",
-        "3.12",
-    )
+    facts = (difference.part, difference.package, difference.built_from, difference.python)
+    assert facts == ("tensorflow-cc", "tensorflow-cpu==2.21.0", "3.11", "3.12")
     assert difference.files == tuple(f"tensorflow/include/{name}.h" for name in "abc")
     assert "other files for Python 3.12 than for Python 3.11" in str(difference)
 
