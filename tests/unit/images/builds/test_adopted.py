@@ -59,9 +59,9 @@ def with_ros(services: Services, lines: list[str] | None = None, **config: objec
 def targets(tmp_path: Path, **config: object) -> dict[str, dict[str, object]]:
     """The bake targets that install the ROS of ros1-bookworm-core."""
     image_set = load.load(ROOT / "matrix.yaml")
-    image = image_set.by_target["ros1-bookworm-core"]
-    found = Adopted("vendor@sha256:1", image_set, image, **config)  # type: ignore[arg-type]
-    return adopted.base_targets(found, "base", {}, tmp_path, tmp_path)
+    ros = image_set.by_target["ros1-bookworm-core"]
+    image = Adopted("vendor@sha256:1", image_set, ros, **config)  # type: ignore[arg-type]
+    return adopted.base_targets(image, "base", {}, tmp_path, tmp_path)
 
 
 @pytest.mark.parametrize(

@@ -52,18 +52,6 @@ def test_latest_is_the_newest_long_term_release_with_every_framework(real: Image
     }
 
 
-def test_the_short_tags_of_every_framework(real: ImageSet) -> None:
-    """The stack with the newest PyTorch that every Python has; TensorFlow is on another one."""
-    short = {tag: image.stack for image in real.images for tag in image.tags if tag.endswith((":jazzy", ":humble"))}
-    assert short == {
-        f"{repository}:{row}": stack
-        for row in ("jazzy", "humble")
-        for repository, stack in {
-            "ros": None, "ros-cuda": "cu130", "ros-torch": "cu130", "ros-tf": "cu128", "ros-ml": "cu128"
-        }.items()
-    } | {"ros-onnx:jazzy": "cu130", "ros-onnx:humble": "cu128"}  # fmt: skip
-
-
 def rows(page: str, head: str) -> list[list[str]]:
     """The rows of a page's table that begins with a head."""
     table = (ROOT / page).read_text().partition(head)[2].partition("\n\n")[0]

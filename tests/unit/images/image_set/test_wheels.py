@@ -86,7 +86,6 @@ WRONG = {
     "neither": (SOURCE, "", f"{ROW}: nothing says what ROS comes from"),
     "both": (SOURCE, SOURCE + PACKAGES, f"{ROW}.wheels: ROS comes from 'packages' already"),
     "not pinned": ("ros-std-msgs==5.3.6", "ros-std-msgs", f"{ROW}.wheels[1]: expected a Python package with its version"),
-    "twice": ("ros-std-msgs==5.3.6]", "a==1, a==1]", f"{ROW}.wheels[2]: 'a==1' is there twice"),
     "ROS 1": ("    ros: 2\n    ros_distro", "    ros: 1\n    ros_distro", f"{ROW}.wheels: there are no wheels of ROS 1"),
     "two components": ("components: [core]\n", "components: [core, base]\n", f"{ROW}.components: the wheels of sigma are one"),
     "an apt source": (SOURCE, SOURCE + "    apt: {channel: live}\n", f"{ROW}.apt: 'apt' is about Debian packages"),

@@ -30,29 +30,30 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
 
 
 @pytest.mark.parametrize(
-    ("present", "kinds", "message", "remedy"),
+    ("present", "kinds", "stack", "message", "remedy"),
     [
-        ((), ("graph",), "cannot do without", "add cuda-cu128, common-cu128-py311 and graph-cc-cu128: add-on graph"),
-        (("cuda",), GRAPH, "cannot do without common of stack cu128", "add common-cu128-py311"),
-        (TORCH, ("graph",), "cannot do without graph-cc of stack cu128", "add graph-cc-cu128"),
-        (TORCH, ("common", *GRAPH), "has the part common already", "leave it out"),
-        (TORCH, TENSORFLOW[1:], "has framework torch of stack cu128 already", "take the ROS image below it"),
-        (("cuda",), ("tensorflow", *GRAPH, "common"), "has framework cuda of stack cu128 already", "take"),
+        ((), ("torch",), "cpu", "cannot do without", "add common-cpu-py311: framework "),
+        ((), ("torch",), "cu128", "cannot do without", "add cuda-cu128 and common-cu128-py311: framework "),
+        ((), ("common", "tensorflow"), "cpu", "cannot do without", "add tensorflow-cc-cpu: framework "),
+        ((), ("common", "tensorflow-cc"), "cpu", "cannot do without", "add tensorflow-cpu-py311: framework "),
+        ((), ("graph",), "cu128", "cannot do without", "add cuda-cu128, common-cu128-py311 and graph-cc-cu128: add-on graph"),
+        (("cuda",), GRAPH, "cu128", "cannot do without common of stack cu128", "add common-cu128-py311"),
+        (TORCH, ("graph",), "cu128", "cannot do without graph-cc of stack cu128", "add graph-cc-cu128"),
+        (TORCH, ("common", *GRAPH), "cu128", "has the part common already", "leave it out"),
+        (TORCH, TENSORFLOW[1:], "cu128", "has framework torch of stack cu128 already", "take the ROS image below it"),
+        (("cuda",), ("tensorflow", *GRAPH, "common"), "cu128", "has framework cuda of stack cu128 already", "take"),
+        (TORCH, GRAPH, "cpu", "an image carries one stack", "use parts of one stack"),
+        ((), (), "cpu", "there are no parts to join", "name the parts after it"),
     ],
-)
-def test_an_addon_that_does_not_fit(
-    present: tuple[str, ...], kinds: tuple[str, ...], message: str, remedy: str, place: Place
+)  # fmt: skip
+def test_parts_that_do_not_fit(
+    present: tuple[str, ...], kinds: tuple[str, ...], stack: str, message: str, remedy: str, place: Place
 ) -> None:
     base = place.ros()
     if present:
         base = place.join(base, *place.stack(present), repository="me/below").reference
-    error = place.refused(base, *place.stack(kinds))
+    error = place.refused(base, *place.stack(kinds, stack))
     assert message in error.message and remedy in error.remedy and error.exit_code == 2
-
-
-def test_an_addon_of_another_stack(place: Place) -> None:
-    base = place.join(place.ros(), *place.stack(), repository="me/below").reference
-    assert "an image carries one stack" in place.refused(base, *place.stack(GRAPH, "cpu")).message
 
 
 def test_another_python(place: Place) -> None:
@@ -94,21 +95,6 @@ def test_an_image_that_has_a_framework_already(
     assert message in error.message and error.remedy.endswith(remedy)
 
 
-@pytest.mark.parametrize(
-    ("kinds", "stack", "missing"),
-    [
-        (("torch",), "cpu", "common-cpu-py311"),
-        (("torch",), "cu128", "cuda-cu128 and common-cu128-py311"),
-        (("common", "tensorflow"), "cpu", "tensorflow-cc-cpu"),
-        (("common", "tensorflow-cc"), "cpu", "tensorflow-cpu-py311"),
-        (("common",), "cpu", "torch-cpu-py311"),
-    ],
-)
-def test_a_missing_part(place: Place, kinds: tuple[str, ...], stack: str, missing: str) -> None:
-    error = place.refused(place.ros(), *place.stack(kinds, stack))
-    assert error.remedy.startswith(f"add {missing}: framework ") and "cannot do without" in error.message
-
-
 def test_frameworks_that_do_not_go_together(place: Place) -> None:
     alone = {name: parts.FRAMEWORKS[name] for name in ("torch", "tensorflow")}
     error = place.refused(place.ros(), *place.stack(PARTS[1:], "cpu38", frameworks=alone))
@@ -132,7 +118,6 @@ def test_what_is_no_ros_image(place: Place) -> None:
         ("is a part", images[0], *images),
         ("is a ROS image", place.ros(), *images, place.ros()),
         ("is no part: it has no label io.rosml.part", place.ros(), *images, strange),
-        ("there are no parts to join", place.ros()),
         ("/me/ros:none is not there", f"{place.server.address}/me/ros:none", *images),
         ("/none:x is not there", f"{place.server.address}/none:x", *images),
     ):

@@ -13,7 +13,6 @@ import pytest
 from fakes.memory_registry import BASE, DAY, HOST, LATER, NEXT, PREFIX, Publisher, Run, publisher
 from fakes.projects import git
 from fakes.stubs import services
-from rosml.base.errors import RosmlError
 from rosml.images.image_set.labels import REVISION, SOURCE
 from rosml.images.image_set.model import ImageSet
 from rosml.images.join import facts
@@ -231,12 +230,6 @@ def test_another_machine_makes_other_statements_and_the_same_images(
         statements = [attached(here, run, key, MEDIA_TYPE)[0] for key in images(run)]
         assert {statement["predicate"]["runDetails"]["builder"]["id"] for statement in statements} == {builder}
     assert digests[0] == digests[1]
-
-
-def test_a_manifest_that_is_gone_gets_no_statement(registry: Publisher) -> None:
-    definition, machine = provenance.definition({}, "sha256:1", ()), provenance.Machine("me", "1")
-    with pytest.raises(RosmlError, match="ros@sha256:2 is not in the registry any more"):
-        provenance.attach(registry.registry, "ros", "sha256:2", definition, machine, DAY, NEXT)
 
 
 def test_a_signature_covers_the_publishers_statements_and_no_other(registry: Publisher, image_set: ImageSet) -> None:

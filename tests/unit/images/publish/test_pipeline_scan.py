@@ -10,23 +10,22 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from conftest import ROOT, SMALLER, changed, smaller
+from conftest import SMALLER, changed, smaller
 
 from fakes.memory_registry import DAY, NEXT, MemoryRegistry, Publisher, Run, publisher, waiting
 from fakes.projects import BASE
 from fakes.scanning import World, advisory, rules
 from fakes.stubs import services
-from rosml.images.image_set import load, restricted
+from rosml.images.image_set import restricted
 from rosml.images.image_set.labels import COVERED
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.publish import scan_results
 from rosml.images.publish.steps import STEPS
-from rosml.images.publish.steps.scan import left_out, policy_digest, scan
+from rosml.images.publish.steps.scan import policy_digest, scan
 from rosml.images.records.store import INDEX
 from rosml.images.scan import judge as judging
 from rosml.images.scan.judge import Outcome, summarise
 from rosml.images.scan.policy import Rules
-from rosml.images.scan.policy import load as load_policy
 from rosml.images.scan.results import Results
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
 from rosml.images.scan.trivy import ScannerFailed
@@ -266,17 +265,6 @@ def test_what_may_not_go_to_a_registry_is_not_missing_there(
     monkeypatch.setenv(restricted.VARIABLE, "registry.example.com")
     assert useless("registry.example.com", free) == [], "it may have all"
     assert useless("registry.example.com", []) == ["ignore[0]", "ignore[1]"]
-
-
-def test_a_set_leaves_out_what_the_matrix_that_it_extends_has(tmp_path: Path, real: ImageSet) -> None:
-    """With rosml's own scan.yaml, whose entries are for many distributions: none is a problem of the set."""
-    file = tmp_path / "set.yaml"
-    file.write_text("extends: rosml\ndistributions:\n  jazzy:\ndefault: {targets: [jazzy-core], group: [jazzy-core]}\n")
-    image_set, policy = load.load(file, ROOT), load_policy(ROOT / "scan.yaml")
-    missing = left_out(image_set)
-    assert missing == set(real.by_target) - set(image_set.by_target) and not left_out(real)
-    assert policy.for_nobody(image_set.by_target), "rosml's policy has entries for other distributions"
-    assert summarise([], policy, date(2026, 11, 26), True, image_set.by_target, missing).problems == ()
 
 
 def test_a_night_of_a_set_passes_entries_for_other_images(
