@@ -41,16 +41,13 @@ def attach(
     services: Services,
     image_set: ImageSet,
     registry: Registry,
-    images: Sequence[tuple[str, str]],
+    images: Sequence[tuple[str, str]],  # the repository of each, and the digest of its manifest or index
     say: Callable[[str], None],
 ) -> dict[str, str]:
     """Attaches a list of files, facts and an SBOM to pushed images, for each of their platforms.
 
     One call of the builder lists them all. It mounts the images and runs nothing of them, so no emulation is needed. If a manifest
     has a list of files or facts, it keeps them. The same packages give an SBOM with the same digest.
-
-    Args:
-        images: the repository of each, and the digest of its manifest or index.
 
     Returns:
         Digests of the SBOMs' artifacts, by digest of the manifest.

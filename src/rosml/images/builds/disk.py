@@ -83,10 +83,7 @@ def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bo
     """Prunes the builder's cache, the oldest entries first, until there is room for a build.
 
     The builder also prunes its cache itself, after a build and down to a fixed limit. An image with CUDA needs more
-    room at once. The user's own builder may be on another machine, and is left alone.
-
-    Returns:
-        Whether the builder may have removed something.
+    room at once. The user's own builder may be on another machine, and is left alone. Returns whether it may have removed something.
     """
     room, free = needed + RESERVE_MB, _free_mb(services.state)
     if services.builder_kind == "user" or free >= room:

@@ -15,8 +15,7 @@ from rosml.machine.progress import BuildProgress
 from rosml.machine.services import Services
 
 COMPRESSION = "compression=zstd,compression-level=7,oci-mediatypes=true"
-"""Level 7 makes parts a seventh smaller than level 3. It takes several times longer, but parts are compressed once and
-pulled often."""
+"""Level 7 makes parts a seventh smaller than level 3, and takes several times longer. Parts are pulled often."""
 
 
 def write_excerpt(services: Services, image_set: ImageSet, target: str, *others: str) -> Path:

@@ -218,10 +218,9 @@ def _described(registry: Registry, prefix: str, text: str) -> tuple[str, Manifes
 
 
 def of_member(registry: Registry, repository: str, digest: str, annotations: Mapping[str, str]) -> Facts | None:
-    """The facts of a base image: those that are attached to it, or those of its ROS image and parts together.
+    """The facts that are attached to a base image, or those of its ROS image and parts together.
 
-    Returns:
-        None if one of these has none: it would look like an image that lacks what the part has.
+    None if one of these has none: it would look like an image that lacks what the part has.
     """
     if direct := of(registry, repository, digest):
         return direct

@@ -58,11 +58,7 @@ class Joiner:
         declared: Callable[[], Declared] = restricted.of_this_machine,
         unlisted: str = UNLISTED,
     ) -> None:
-        """
-        Args:
-            declared: gives where restricted parts may go.
-            unlisted: the remedy for an image without a list of files.
-        """
+        """`declared` gives where restricted parts may go; `unlisted` is the remedy for an image without a list of files."""
         self.allow_unlisted = allow_unlisted
         self._unlisted = unlisted
         self._transfer = Transfer(registries, say, declared)
