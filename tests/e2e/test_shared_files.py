@@ -14,7 +14,7 @@ from rosml.base import web
 from rosml.images.image_set import load, locked
 from rosml.images.locks import shared_files
 from rosml.images.locks.index import Index
-from rosml.images.locks.resolve import Uv
+from rosml.images.locks.uv import Uv
 from rosml.machine.services import Services
 
 

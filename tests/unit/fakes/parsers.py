@@ -60,6 +60,7 @@ from rosml.images.image_set.apt_repository import AptRepository
 from rosml.images.join import facts, file_lists, label_claims
 from rosml.images.join.layers import Source
 from rosml.images.locks import index, resolve
+from rosml.images.locks.uv import Uv
 from rosml.images.matrix import source
 from rosml.images.publish import issue, plan, scan_results
 from rosml.images.records import store, tag_moves
@@ -661,7 +662,7 @@ def wheel_of(document: bytes, folder: Path) -> object:
         first, last = map(int, request.headers["range"].removeprefix("bytes=").split("-"))
         return reply(206, document[first : last + 1])
 
-    wheel_index = index.Index(resolve.Uv(), httpx.Client(transport=httpx.MockTransport(answer)))
+    wheel_index = index.Index(Uv(), httpx.Client(transport=httpx.MockTransport(answer)))
     wheel = index.Wheel(WHEEL.url, len(document))
     return wheel_index.metadata(wheel), wheel_index.record(wheel)
 

@@ -17,7 +17,7 @@ from rosml.images.image_set import load
 from rosml.images.locks import installs
 from rosml.images.locks.index import Index, WheelTarget
 from rosml.images.locks.installs import Environment, Resolved
-from rosml.images.locks.resolve import Uv
+from rosml.images.locks.uv import Uv
 
 HERE = Environment("ml", "cu128", "3.12", "amd64")
 WHERE = WheelTarget("3.12", "x86_64-manylinux_2_28")

@@ -25,9 +25,11 @@ from rosml.cli.images import locks as script
 from rosml.images.bake import targets
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import ImageSet
-from rosml.images.locks import base_digests, resolve, shared_files
-from rosml.images.locks.resolve import Elsewhere, Pin, Request
+from rosml.images.locks import base_digests, lock, requests, resolve, shared_files
+from rosml.images.locks.requests import Elsewhere, Request
+from rosml.images.locks.resolve import Pin
 from rosml.images.locks.shared_files import Difference
+from rosml.images.locks.uv import Uv
 from rosml.images.matrix import names
 
 PARTS = parse(SMALL).matrix.parts
@@ -52,7 +54,7 @@ def request(**changes: object) -> Request:
 
 
 def parts(pins: list[Pin], roots: Mapping[str, str] = ROOTS) -> dict[str, list[str]]:
-    return {part: [pin.name for pin in content] for part, content in resolve.split(pins, roots, PARTS).items()}
+    return {part: [pin.name for pin in content] for part, content in lock.split(pins, roots, PARTS).items()}
 
 
 # ---- Reading ---------------------------------------------------------------------------------------------------------
@@ -79,7 +81,7 @@ def test_versions() -> None:
 
 def test_a_lock_reads_as_what_it_was_rendered_from() -> None:
     pins = [Pin("a", "1", ("sha256:x", "sha256:y"), frozenset()), Pin("b", "2", (), frozenset())]
-    assert resolve.parse(resolve.render(request(), "common", pins)) == pins
+    assert resolve.parse(lock.render(request(), "common", pins)) == pins
 
 
 @pytest.mark.parametrize(
@@ -141,7 +143,7 @@ def test_diamond() -> None:
 
 def test_cycle() -> None:
     pins = [pin("torch", "b"), pin("a", "torch"), pin("b", "a")]
-    assert resolve.closure("torch", pins) == {"torch", "a", "b"}
+    assert lock.closure("torch", pins) == {"torch", "a", "b"}
     assert parts(pins) == {"torch": ["a", "b", "torch"]}
 
 
@@ -166,7 +168,7 @@ def test_nvidia_is_cuda_whoever_asks() -> None:
 def test_a_name_goes_before_a_pattern_and_any_package_may_be_repeated() -> None:
     facts = {"name": "devel", "takes": ("nvidia-nvcc",), "repeats": ("nvidia-runtime",)}
     pins = [pin("torch"), pin("nvidia-runtime", "torch"), pin("nvidia-nvcc")]
-    dealt = resolve.split(pins, {"torch": "torch==2"}, (*PARTS, PARTS[0].model_copy(update=facts)))
+    dealt = lock.split(pins, {"torch": "torch==2"}, (*PARTS, PARTS[0].model_copy(update=facts)))
     assert {part: [item.name for item in content] for part, content in dealt.items()} == {
         "cuda": ["nvidia-runtime"],
         "devel": ["nvidia-nvcc", "nvidia-runtime"],
@@ -175,8 +177,8 @@ def test_a_name_goes_before_a_pattern_and_any_package_may_be_repeated() -> None:
 
 
 def test_render() -> None:
-    assert resolve.render(request(), "torch", []).startswith("# Part 'torch' of stack cu1, Python 3.12, amd64.\n")
-    assert resolve.render(request(), "cuda", [pin("nvidia-x", "torch")]) == (
+    assert lock.render(request(), "torch", []).startswith("# Part 'torch' of stack cu1, Python 3.12, amd64.\n")
+    assert lock.render(request(), "cuda", [pin("nvidia-x", "torch")]) == (
         "# Part 'cuda' of stack cu1, Python any, amd64.\n"
         "# Made by 'rosml locks' from matrix.yaml; do not edit.\n"
         "nvidia-x==1 \\\n    --hash=sha256:nvidia-x\n"
@@ -189,7 +191,7 @@ def test_render() -> None:
 def test_one_request_for_each_stack_python_and_architecture(real: ImageSet) -> None:
     found = [
         (item.stack, item.architecture, item.python)
-        for item in resolve.requests(real)
+        for item in requests.requests(real)
         if item.ros or not real.matrix.stacks[item.stack].apart or "tensorflow" in item.roots
     ]
     assert len(found) == len(set(found))
@@ -207,7 +209,7 @@ def test_one_request_for_each_stack_python_and_architecture(real: ImageSet) -> N
 
 def test_request(small: ImageSet) -> None:
     matrix = changed('numpy: "<2"', 'numpy: "<2"\n    provides: {setuptools: 78.1.1}')
-    found = next(item for item in resolve.requests(parse(matrix)) if (item.stack, item.python) == ("cu1", "3.12"))
+    found = next(item for item in requests.requests(parse(matrix)) if (item.stack, item.python) == ("cu1", "3.12"))
     assert (found.architecture, found.wheels, found.numpy) == ("amd64", "x86_64-manylinux_2_28", "<2")
     assert found.roots == {"torch": "torch==2.10.0", "tensorflow": "tensorflow==2.20.0"}
     assert found.provided == {"setuptools": "78.1.1"}
@@ -220,10 +222,12 @@ WITH_COMPANY = changed(
 
 
 def test_what_goes_with_a_release_is_resolved_and_dealt_out_with_it(tmp_path: Path) -> None:
-    found = next(item for item in resolve.requests(parse(WITH_COMPANY)) if (item.stack, item.python) == ("cu1", "3.12"))
+    found = next(
+        item for item in requests.requests(parse(WITH_COMPANY)) if (item.stack, item.python) == ("cu1", "3.12")
+    )
     assert found.beside == {"torch": ("torchvision==0.25.0",), "tensorflow": ()}
     assert found.overrides == ("setuptools>=66",)
-    resolve.resolve(replace(found, provided={"setuptools": "68.1.2"}), resolve.Uv(fake_uv(tmp_path)))
+    resolve.resolve(replace(found, provided={"setuptools": "68.1.2"}), Uv(fake_uv(tmp_path)))
     assert (
         (tmp_path / "seen-in.txt")
         .read_text()
@@ -237,15 +241,15 @@ def test_what_goes_with_a_release_is_resolved_and_dealt_out_with_it(tmp_path: Pa
         pin("numpy", "torchvision"),
         pin("tensorflow"),
     ]
-    dealt = resolve.split(pins, found.roots, PARTS, found.beside)
+    dealt = lock.split(pins, found.roots, PARTS, found.beside)
     assert {part: [item.name for item in content] for part, content in dealt.items()} == {
         "common": ["numpy"],
         "torch": ["pillow", "torch", "torchvision"],
         "tensorflow-cc": ["tensorflow"],
         "tensorflow": ["tensorflow"],
     }
-    assert resolve.render(found, "torch", pins).splitlines()[2] == "# adapted: torch setuptools>=66"
-    assert "# adapted" not in resolve.render(found, "tensorflow", pins)
+    assert lock.render(found, "torch", pins).splitlines()[2] == "# adapted: torch setuptools>=66"
+    assert "# adapted" not in lock.render(found, "tensorflow", pins)
 
 
 TAKEN = changed(
@@ -281,11 +285,11 @@ def test_what_goes_with_a_release_may_be_in_another_part() -> None:
 def test_a_release_of_another_index(tmp_path: Path) -> None:
     """Locks ask it, and so do the builds of those parts whose packages it has. tests/unit/images/test_pytorch_index.py calls uv."""
     image_set = parse(TAKEN)
-    found = [item.indexes for item in resolve.requests(image_set) if "torch" in item.roots]
+    found = [item.indexes for item in requests.requests(image_set) if "torch" in item.roots]
     address = "https://pypi.example.com/simple"
     assert found and all(item == {"torch": address, "torchvision": address} for item in found)
-    wanted = next(item for item in resolve.requests(image_set) if item.indexes)
-    resolve.resolve(wanted, resolve.Uv(fake_uv(tmp_path)))
+    wanted = next(item for item in requests.requests(image_set) if item.indexes)
+    resolve.resolve(wanted, Uv(fake_uv(tmp_path)))
     assert " pyproject.toml in.txt " in calls(tmp_path)[0]
     assert "torch" not in (tmp_path / "seen-in.txt").read_text()
     known = targets.of(image_set)
@@ -295,7 +299,7 @@ def test_a_release_of_another_index(tmp_path: Path) -> None:
 
 def test_nothing_goes_with_wheels_that_only_pytorchs_own_index_has() -> None:
     elsewhere = changed("beside:", "elsewhere: {cpu: {amd64: {}}}, requires: [filelock], beside:", WITH_COMPANY)
-    beside = {item.stack: item.beside["torch"] for item in resolve.requests(parse(elsewhere))}
+    beside = {item.stack: item.beside["torch"] for item in requests.requests(parse(elsewhere))}
     assert beside == {"cu1": ("torchvision==0.25.0",), "cpu": ()}
 
 
@@ -323,9 +327,9 @@ ADDS = ("takes: [nvidia-*]", 'takes: [nvidia-*], adds: {"12": [nvidia-a, "nvidia
 def test_what_no_release_asks_for(tmp_path: Path) -> None:
     """Of the stack's CUDA, and none for stacks without CUDA."""
     image_set = parse(changed(*ADDS))
-    found = {item.stack: item.added for item in resolve.requests(image_set)}
+    found = {item.stack: item.added for item in requests.requests(image_set)}
     assert found == {"cu1": ("nvidia-a==12.8.*", "nvidia-b>=12.3"), "cpu": ()}
-    resolve.resolve(request(added=found["cu1"]), resolve.Uv(fake_uv(tmp_path)))
+    resolve.resolve(request(added=found["cu1"]), Uv(fake_uv(tmp_path)))
     assert "nvidia-a==12.8.*\nnvidia-b>=12.3\n" in (tmp_path / "seen-in.txt").read_text()
 
 
@@ -343,7 +347,7 @@ def test_a_lock_without_what_the_part_adds_is_not_current(pins: str, current: bo
 
 def test_only_what_has_a_wheel_is_asked_for(small: ImageSet) -> None:
     """The stack has a release of TensorFlow, and that release no wheel for Python 3.14."""
-    roots = {(item.stack, item.architecture, item.python): item.roots for item in resolve.requests(small)}
+    roots = {(item.stack, item.architecture, item.python): item.roots for item in requests.requests(small)}
     assert roots["cu1", "amd64", "3.14"] == {"torch": "torch==2.10.0"}
     assert roots["cpu", "arm64", "3.14"] == {"torch": "torch==2.10.0"}
 
@@ -369,7 +373,7 @@ PINNED = "(echo {}; grep == in.txt) | sed 's/$/ --hash=sha256:aa/; s/ /\\n    /'
 
 def test_resolve(tmp_path: Path) -> None:
     wanted = request(constraints=("keras<4",), provided={"setuptools": "78.1.1", "packaging": "25.0"})
-    assert resolve.resolve(wanted, resolve.Uv(fake_uv(tmp_path))) == resolve.parse(RESOLVED)
+    assert resolve.resolve(wanted, Uv(fake_uv(tmp_path))) == resolve.parse(RESOLVED)
     (call,) = calls(tmp_path)
     for words in (
         f"uv pip compile --quiet --no-config --python {sys.executable} --only-binary :all: ",
@@ -390,20 +394,20 @@ def test_resolve(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("upgrade", [False, True])
 def test_earlier_versions_stay_unless_upgraded(tmp_path: Path, upgrade: bool) -> None:
-    resolve.resolve(request(), resolve.Uv(fake_uv(tmp_path)), upgrade, "numpy==1.0")
+    resolve.resolve(request(), Uv(fake_uv(tmp_path)), upgrade, "numpy==1.0")
     assert (tmp_path / "seen-out.txt").exists() == (not upgrade)
 
 
 def test_uv_is_missing(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="'/nowhere/uv' is not installed") as caught:
-        resolve.resolve(request(), resolve.Uv("/nowhere/uv"))
+        resolve.resolve(request(), Uv("/nowhere/uv"))
     assert "rosml setup" in caught.value.remedy
 
 
 def test_uv_fails(tmp_path: Path) -> None:
     uv = fake_uv(tmp_path, UV + "echo 'no solution: numpy<2 and numpy>=2' >&2; exit 1")
     with pytest.raises(RosmlError) as caught:
-        resolve.resolve(request(), resolve.Uv(uv))
+        resolve.resolve(request(), Uv(uv))
     assert caught.value.message == (
         "stack cu1, Python 3.12, amd64 (torch and tensorflow) does not resolve:\nno solution: numpy<2 and numpy>=2"
     )
@@ -412,11 +416,11 @@ def test_uv_fails(tmp_path: Path) -> None:
 
 def test_uv_is_killed(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="uv was ended by signal 9 while it resolved stack cu1"):
-        resolve.resolve(request(), resolve.Uv(executable(tmp_path / "uv", "kill -9 $$")))
+        resolve.resolve(request(), Uv(executable(tmp_path / "uv", "kill -9 $$")))
 
 
 def test_uv_is_not_started_any_more_after_ctrl_c(tmp_path: Path) -> None:
-    uv = resolve.Uv(executable(tmp_path / "uv", f"touch {tmp_path}/started"))
+    uv = Uv(executable(tmp_path / "uv", f"touch {tmp_path}/started"))
     uv.end()
     with pytest.raises(RosmlError, match="interrupted"):
         uv(["pip"], tmp_path)
@@ -429,20 +433,20 @@ def test_earlier_locks_are_read(tmp_path: Path, small: ImageSet) -> None:
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(f"{name}==1\n")
     uv = fake_uv(tmp_path, UV + 'cat out.txt >>"$here/earlier"; ' + FILTER + ' <"$here/resolved.txt" >out.txt')
-    resolve.lock(small, tmp_path, uv)
+    lock.lock(small, tmp_path, uv)
     earlier = (tmp_path / "earlier").read_text().split()  # of all requests, in any order
     assert {"nvidia-x==1", "numpy==1", "torch==1"} <= set(earlier)
     assert "old==1" not in earlier
 
 
 def test_one_cuda_for_all_pythons(tmp_path: Path, small: ImageSet) -> None:
-    locks = resolve.lock(small, tmp_path, fake_uv(tmp_path)).texts
+    locks = lock.lock(small, tmp_path, fake_uv(tmp_path)).texts
     assert "locks/cu1/amd64/any/cuda.txt" in locks
     assert {"locks/cu1/amd64/3.12/torch.txt", "locks/cu1/amd64/3.14/torch.txt"} <= locks.keys()
     assert not list(tmp_path.glob("locks/**/*.txt")), "it writes nothing"
     differing = UV + 'sed "s/12.8.4.1/$python/" "$here/resolved.txt" | {{ ' + FILTER + ";}} >out.txt"
     with pytest.raises(RosmlError, match=r"any/cuda\.txt: nvidia-\S+ would be 3\.1. and 3\.1.") as caught:
-        resolve.lock(small, tmp_path, fake_uv(tmp_path, differing))
+        lock.lock(small, tmp_path, fake_uv(tmp_path, differing))
     assert "constraints in matrix.yaml" in caught.value.remedy
 
 
@@ -483,7 +487,7 @@ def test_a_wheel_that_is_known_by_its_digest(tmp_path: Path) -> None:
     """Only what it requires is resolved, on the usual index; the wheel is added with its digest, above that."""
     resolved = "jinja2==3.1 \\\n    --hash=sha256:1\n    # via -r in.txt\nnumpy==1.26.4 \\\n    --hash=sha256:2\n"
     pins = resolve.resolve(
-        request(roots={"torch": "torch==2.10.0"}, elsewhere=ELSEWHERE), resolve.Uv(fake_uv(tmp_path, resolved=resolved))
+        request(roots={"torch": "torch==2.10.0"}, elsewhere=ELSEWHERE), Uv(fake_uv(tmp_path, resolved=resolved))
     )
     assert (tmp_path / "seen-in.txt").read_text() == "jinja2\nTyping_Extensions>=4.10\nnumpy<2\n"
     assert "--torch-backend" not in calls(tmp_path)[0]
@@ -492,7 +496,7 @@ def test_a_wheel_that_is_known_by_its_digest(tmp_path: Path) -> None:
 
 
 def test_a_wheel_that_pytorchs_own_index_has_to_be_asked_for(tmp_path: Path) -> None:
-    resolve.resolve(request(roots={"torch": "torch==2.10.0"}, elsewhere=UNKNOWN), resolve.Uv(fake_uv(tmp_path)))
+    resolve.resolve(request(roots={"torch": "torch==2.10.0"}, elsewhere=UNKNOWN), Uv(fake_uv(tmp_path)))
     assert (tmp_path / "seen-in.txt").read_text() == "torch==2.10.0+cpu\nnumpy<2\n"
     assert " --torch-backend cpu" in calls(tmp_path)[0]
 
@@ -524,7 +528,7 @@ UNREACHABLE = (
 
 
 def test_the_rest_of_a_stack_is_locked_where_that_index_does_not_answer(tmp_path: Path) -> None:
-    locks = resolve.lock(parse(ELSEWHERE_MATRIX), tmp_path, fake_uv(tmp_path, UNREACHABLE, CPU_RESOLVED))
+    locks = lock.lock(parse(ELSEWHERE_MATRIX), tmp_path, fake_uv(tmp_path, UNREACHABLE, CPU_RESOLVED))
     assert "locks/cpu/arm64/3.12/torch.txt" in locks.texts
     assert "locks/cpu/amd64/3.12/tensorflow.txt" in locks.texts
     assert "locks/cpu/amd64/3.12/torch.txt" not in locks.texts
@@ -541,7 +545,7 @@ def test_locks_stay_that_were_made_where_that_index_answers(tmp_path: Path) -> N
     folder.mkdir(parents=True)
     for name in ("common", "torch", "tensorflow"):
         (folder / f"{name}.txt").write_text(f"{name}==1\n")
-    locks = resolve.lock(parse(ELSEWHERE_MATRIX), tmp_path, fake_uv(tmp_path, UNREACHABLE, CPU_RESOLVED))
+    locks = lock.lock(parse(ELSEWHERE_MATRIX), tmp_path, fake_uv(tmp_path, UNREACHABLE, CPU_RESOLVED))
     kept = {Path(path).stem: text for path, text in locks.texts.items() if "cpu/amd64/3.12" in path}
     assert kept == {name: f"{name}==1\n" for name in ("common", "torch", "tensorflow")}
 
@@ -557,7 +561,7 @@ def test_a_lock_that_is_missing_beside_one_that_stays(tmp_path: Path, upgrade: b
         tmp_path, UNREACHABLE.replace("case", 'cp out.txt "$here/seen-out.txt" 2>/dev/null; case', 1), CPU_RESOLVED
     )
     stack = ("cpu",)
-    locks = resolve.lock(parse(ELSEWHERE_MATRIX), tmp_path, uv, upgrade, stacks=stack)
+    locks = lock.lock(parse(ELSEWHERE_MATRIX), tmp_path, uv, upgrade, stacks=stack)
     assert locks.texts["locks/cpu/amd64/3.12/torch.txt"] == "torch==1\n"
     assert "tensorflow-cpu==2.20.0" in locks.texts["locks/cpu/amd64/3.12/tensorflow.txt"]
     assert "stack cpu, Python 3.12, amd64 (torch)" in locks.left_out
@@ -567,7 +571,7 @@ def test_a_lock_that_is_missing_beside_one_that_stays(tmp_path: Path, upgrade: b
 def test_another_failure_of_that_request_is_one(tmp_path: Path) -> None:
     uv = fake_uv(tmp_path, UV + "echo 'no solution found' >&2; exit 1")
     with pytest.raises(RosmlError, match="does not resolve:\nno solution found"):
-        resolve.resolve(request(elsewhere=UNKNOWN), resolve.Uv(uv))
+        resolve.resolve(request(elsewhere=UNKNOWN), Uv(uv))
 
 
 APART = changed(
@@ -578,11 +582,11 @@ APART = changed(
 def test_frameworks_that_contradict_each_other_are_resolved_apart(tmp_path: Path) -> None:
     tensorflow = "  tf: {repository: ros-tf, parts: [common, tensorflow-cc, tensorflow], accelerators: [cpu]}\n"
     image_set = parse(changed("  ml: {", f"{tensorflow}  ml: {{", APART))
-    asked = [list(item.roots) for item in resolve.requests(image_set) if (item.stack, item.python) == ("cpu", "3.12")]
+    asked = [list(item.roots) for item in requests.requests(image_set) if (item.stack, item.python) == ("cpu", "3.12")]
     assert asked == [["tensorflow"], ["torch"], ["tensorflow"]]  # amd64 has no wheel of torch
     assert "alpha-core-ml-cpu" not in image_set.by_target
     uv = fake_uv(tmp_path, UV + PINNED.format("numpy==1.26.4"))
-    texts = resolve.lock(image_set, tmp_path, uv).texts
+    texts = lock.lock(image_set, tmp_path, uv).texts
     assert {f"locks/cpu/arm64/3.12/{part}.txt" for part in ("common", "torch", "tensorflow")} <= texts.keys()
     assert list(lock_file.versions(texts["locks/cpu/arm64/3.12/common.txt"])) == ["numpy"]
 
@@ -602,7 +606,7 @@ def test_what_they_share_must_agree(pinned: str, complaint: str, tmp_path: Path)
     with pytest.raises(
         RosmlError, match=rf"common\.txt: numpy would be {complaint}, depending on the package that asks"
     ):
-        resolve.lock(image_set, tmp_path, fake_uv(tmp_path, uv))
+        lock.lock(image_set, tmp_path, fake_uv(tmp_path, uv))
 
 
 # ---- The command -----------------------------------------------------------------------------------------------------
@@ -760,7 +764,7 @@ def test_settings_of_uv_that_change_what_it_resolves_to(tmp_path: Path, monkeypa
     monkeypatch.setenv("UV_RESOLUTION", "lowest")
     monkeypatch.setenv("UV_INDEX_MARK", "kept")
     uv = fake_uv(tmp_path, 'env >"$(dirname "$0")/env"; ' + RESOLVES)
-    resolve.resolve(request(), resolve.Uv(uv))
+    resolve.resolve(request(), Uv(uv))
     env = (tmp_path / "env").read_text()
     assert "UV_RESOLUTION" not in env
     assert "UV_INDEX_MARK=kept" in env

@@ -24,8 +24,9 @@ import pytest
 from conftest import ROOT, SMALL, parse
 
 from rosml.base.errors import RosmlError
-from rosml.images.locks import resolve
-from rosml.images.locks.resolve import Elsewhere, Request
+from rosml.images.locks import lock, resolve
+from rosml.images.locks.requests import Elsewhere, Request
+from rosml.images.locks.uv import Uv
 
 ASSEMBLE = (ROOT / "components/part/assemble.sh").read_text()
 
@@ -160,14 +161,14 @@ def test_a_lock_of_a_wheel_that_is_there_alone_can_be_made_and_installed(
 ) -> None:
     for key, value in index.environment.items():
         monkeypatch.setenv(key, value)
-    pins = resolve.resolve(REQUEST, resolve.Uv(uv))
+    pins = resolve.resolve(REQUEST, Uv(uv))
     digest = hashlib.sha256(index.wheels["torch"][1]).hexdigest()
     assert [(pin.name, pin.version, pin.hashes) for pin in pins if pin.name == "torch"] == [
         ("torch", "2.10.0+cpu", (f"sha256:{digest}",))
     ]
     assert len(index.asked) == 1, "one index, known to uv"
 
-    text = resolve.render(REQUEST, "torch", resolve.split(pins, REQUEST.roots, REQUEST.parts)["torch"])
+    text = lock.render(REQUEST, "torch", lock.split(pins, REQUEST.roots, REQUEST.parts)["torch"])
     (tmp_path / "torch.txt").write_text(text)
     assert not any(host in text for host in index.asked)
     # The line of the assembly that decides where wheels come from, and the call that follows it.
@@ -189,7 +190,7 @@ def test_an_index_that_does_not_answer(uv: str, monkeypatch: pytest.MonkeyPatch,
     for key, value in {**index.environment, "HTTPS_PROXY": "http://127.0.0.1:1"}.items():
         monkeypatch.setenv(key, value)
     with pytest.raises(resolve.Unreachable, match="PyTorch's own index does not answer") as caught:
-        resolve.resolve(REQUEST, resolve.Uv(uv))
+        resolve.resolve(REQUEST, Uv(uv))
     assert "rosml locks" in caught.value.remedy
 
 
@@ -199,7 +200,7 @@ def test_an_index_without_the_wheel(uv: str, monkeypatch: pytest.MonkeyPatch, in
     for key, value in index.environment.items():
         monkeypatch.setenv(key, value)
     with pytest.raises(RosmlError, match="does not resolve") as caught:
-        resolve.resolve(REQUEST, resolve.Uv(uv))
+        resolve.resolve(REQUEST, Uv(uv))
     assert not isinstance(caught.value, resolve.Unreachable)
 
 
@@ -223,9 +224,9 @@ def another(index: Index, monkeypatch: pytest.MonkeyPatch) -> Index:
 
 
 def test_another_index_is_asked_for_its_packages_alone(another: Index, uv: str) -> None:
-    pins = resolve.resolve(OF_ANOTHER, resolve.Uv(uv))
+    pins = resolve.resolve(OF_ANOTHER, Uv(uv))
     assert {pin.name: pin.version for pin in pins} == {"mine": "1.0", "mine-libs": "1.0", "numpy": "1.26.4"}
-    assert set(resolve.split(pins, OF_ANOTHER.roots, OF_ANOTHER.parts, OF_ANOTHER.beside)["torch"]) >= {pins[0]}
+    assert set(lock.split(pins, OF_ANOTHER.roots, OF_ANOTHER.parts, OF_ANOTHER.beside)["torch"]) >= {pins[0]}
     [usual] = {host for host, path in another.paths if "numpy" in path}
     assert {host for host, path in another.paths if "mine" in path} == {"pypi.example.com"} != {usual}
 
@@ -237,5 +238,5 @@ def test_another_index_without_a_wheel_is_named(another: Index, uv: str, there: 
     if there:
         another.wheels["mine-libs"] = there
     with pytest.raises(RosmlError, match="does not resolve") as caught:
-        resolve.resolve(OF_ANOTHER, resolve.Uv(uv))
+        resolve.resolve(OF_ANOTHER, Uv(uv))
     assert f"put the wheel of mine-libs on {MINE}" in caught.value.remedy

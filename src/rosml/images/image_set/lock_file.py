@@ -18,7 +18,7 @@ _WHOLE = re.compile(
     r"((?:#[^\n]*\n)+)"
     r"(?:[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+(?: \\\n    --hash=sha256:[0-9a-f]{64})+\n)+"
 )
-"""A complete lock as `locks/resolve.py` writes it: comments, and versions with hashes. Any other text was cut or edited."""
+"""A complete lock as `locks/lock.py` writes it: comments, and versions with hashes. Any other text was cut or edited."""
 
 
 NVIDIA_PACKAGES = {"cuda": "cuda-runtime", "cudnn": "cudnn", "nccl": "nccl"}

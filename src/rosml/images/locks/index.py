@@ -16,7 +16,7 @@ import httpx
 from rosml.base import archives, web
 from rosml.base.errors import RosmlError
 from rosml.images.locks import pylock
-from rosml.images.locks.resolve import Uv, compile_command
+from rosml.images.locks.uv import Uv, compile_command
 
 LARGEST = 32 << 20
 """The most bytes of a file in a wheel. TensorFlow's RECORD, the largest, has 2 MB."""

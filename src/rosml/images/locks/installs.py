@@ -24,7 +24,7 @@ from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.lock_file import package_name, versions
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks.index import Index, WheelTarget
-from rosml.images.locks.resolve import WORKERS, Uv
+from rosml.images.locks.uv import WORKERS, Uv
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 

@@ -18,7 +18,7 @@ from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.lock_file import versions
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.locks.index import Index, WheelTarget
-from rosml.images.locks.resolve import WORKERS
+from rosml.images.locks.uv import WORKERS
 from rosml.images.matrix import names, rules
 from rosml.images.matrix.model import ANY_PYTHON
 

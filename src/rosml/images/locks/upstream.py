@@ -9,17 +9,17 @@ from __future__ import annotations
 import re
 import tempfile
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
-from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from rosml.base import progress_bar
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.images.image_set.lock_file import package_name
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks import pylock
-from rosml.images.locks.resolve import WORKERS, Request, Uv, compile_command, requests, require_one_cuda, resolve
+from rosml.images.locks.requests import Request, requests
+from rosml.images.locks.resolve import require_one_cuda, resolve
+from rosml.images.locks.uv import Uv, compile_command
 
 
 @dataclass(frozen=True, order=True)
@@ -27,14 +27,12 @@ class Newer:
     """A newer release than a stack's.
 
     Attributes:
-        stack: the name of the stack.
-        package: the package's name on the index.
         ours: the version in the matrix.
         newest: the version on the index.
         since: the day of its wheel, such as 2026-10-28; empty if the index does not tell.
         held_by: the reason why the stack cannot have it; empty if it can.
         elsewhere: stacks of the same accelerator that have it.
-        pythons: the versions of Python for which this is true.
+        pythons: versions of Python, such as 3.12, for which this is true.
     """
 
     stack: str
@@ -69,16 +67,15 @@ def look(
         if not item.ros and not item.elsewhere and (not stacks or item.stack in stacks):
             chosen.setdefault((item.stack, item.python, tuple(item.roots)), item)
     run = Uv(uv)
-    with ThreadPoolExecutor(WORKERS) as pool:
-        futures = {pool.submit(lambda item: list(_of(image_set, item, run)), item): item for item in chosen.values()}
-        try:
-            for number, future in enumerate(progress_bar.over(as_completed(futures), "stacks", len(futures)), 1):
-                say(f"[{number} of {len(futures)}] {futures[future]}: {counted(len(future.result()), 'newer release')}")
-        except BaseException:
-            pool.shutdown(wait=False, cancel_futures=True)
-            run.end()
-            raise
-    return _merged(newer for future in futures for newer in future.result())
+    results = run.for_each(
+        chosen.values(),
+        lambda request: (request, list(_of(image_set, request, run))),
+        "stacks",
+        lambda number, result: say(
+            f"[{number} of {len(chosen)}] {result[0]}: {counted(len(result[1]), 'newer release')}"
+        ),
+    )
+    return _merged(release for _, releases in results for release in releases)
 
 
 def _merged(newer: Iterable[Newer]) -> list[Newer]:

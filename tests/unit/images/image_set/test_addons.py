@@ -18,7 +18,7 @@ from rosml.images.builds import structure_tests
 from rosml.images.catalogue import tags_page
 from rosml.images.image_set import addons, explain, locked
 from rosml.images.image_set.model import ImageSet
-from rosml.images.locks import resolve
+from rosml.images.locks import requests
 from rosml.images.publish.steps import STEPS
 from rosml.images.publish.steps.scan import policy_digest, scan
 
@@ -69,7 +69,7 @@ def test_a_release_may_need_variables_and_a_newer_glibc(real: ImageSet) -> None:
     assert "GLIBC" not in bake_targets["part-torch-cu1-py312"].arguments
     libraries = targets.of(real)["part-tensorrt-rtx-cc-cu130"]  # it takes packages beside the release, and is none
     assert libraries.arguments["GLIBC"] == real.matrix.release("cu130", "tensorrt-rtx").glibc
-    wheels = {item.architecture: item.wheels for item in resolve.requests(image_set) if item.stack == "cpu"}
+    wheels = {item.architecture: item.wheels for item in requests.requests(image_set) if item.stack == "cpu"}
     assert wheels == {"amd64": "x86_64-manylinux_2_34", "arm64": "aarch64-manylinux_2_34"}
 
 

@@ -18,7 +18,7 @@ from rosml.images.image_set.explain import explained, why_not
 from rosml.images.image_set.load import load
 from rosml.images.image_set.locked import with_locks
 from rosml.images.image_set.model import ImageSet
-from rosml.images.locks import resolve
+from rosml.images.locks import requests, resolve
 from rosml.images.matrix import rules
 
 LOCK = "locks/sigma/amd64/3.12/ros.txt"
@@ -174,7 +174,7 @@ def test_a_lock_of_other_wheels_is_none(wheels: ImageSet, tmp_path: Path) -> Non
 
 
 def test_the_lock_is_resolved_for_its_python_and_numpy(wheels: ImageSet) -> None:
-    (request,) = [item for item in resolve.requests(wheels) if item.ros]
+    (request,) = [item for item in requests.requests(wheels) if item.ros]
     assert (request.stack, request.architecture, request.python, request.numpy) == ("sigma", "amd64", "3.12", "<2")
     roots = {"ros-alpha-rclpy": "ros-alpha-rclpy[fastrtps]==7.1.6", "ros-std-msgs": "ros-std-msgs==5.3.6"}
     assert request.roots == roots

@@ -18,8 +18,8 @@ from rosml.base.errors import RosmlError
 from rosml.images.image_set import load
 from rosml.images.locks import shared_files
 from rosml.images.locks.index import Index, Wheel
-from rosml.images.locks.resolve import Uv
 from rosml.images.locks.shared_files import Difference
+from rosml.images.locks.uv import Uv
 
 LOCK = {"locks/cpu/amd64/any/tensorflow-cc.txt": "tensorflow-cpu==2.21.0 \\\n    --hash=sha256:aa\n"}
 

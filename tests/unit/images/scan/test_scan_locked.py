@@ -38,7 +38,7 @@ def test_what_a_scan_will_refuse(world: World, small: ImageSet) -> None:
     assert len(world.calls("sbom")) == 1, "a lock is scanned once for all of its images"
     row = f"| torch | 2.10.0+cu128 | CVE-2026-1 | high | 3.0 | {len(package.images)} |"
     assert row in script.refused_table([package], "")
-    content = json.loads(script.to_json(stopped=[package]))
+    content = json.loads(script.to_json(script.Changes(refused=[package])))
     assert content["refused"][0]["locks"] == [TORCH] and content["refused_unknown"] == ""
 
 
