@@ -222,9 +222,8 @@ def _set_of_images(call: Call) -> None:
             raise click.UsageError(f"{parameter.opts[0]} has no meaning with --images: {own_set.EDIT}.")
     distributions, frameworks = (tuple(re.findall(r"[^,\s]+", text)) for text in (call.distribution, call.framework))
     accelerator = {None: "", True: "cuda", False: "cpu"}[call.gpu]
-    own_set.begin(
-        call.folder, distributions, frameworks, call.registry, call.rosml, accelerator, call.dry_run, call.as_json
-    )
+    wishes = own_set.Wishes(distributions, frameworks, call.registry, call.rosml, accelerator)
+    own_set.begin(call.folder, wishes, call.dry_run, call.as_json)
 
 
 # ---- Questions -------------------------------------------------------------------------------------------------------

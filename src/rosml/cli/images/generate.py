@@ -45,20 +45,20 @@ def main(check: bool, matrix: Path, output: Path | None) -> None:
     from rosml.images.image_set import load, missing
 
     image_set = load.load(matrix, ROOT)
-    wanted, lost = generated(image_set, output), missing.lost(image_set)
+    contents, lost = generated(image_set, output), missing.lost(image_set)
     if check:
-        verify(wanted, lost)
+        verify(contents, lost)
     else:
-        write(wanted, lost, None if output else ROOT)
+        write(contents, lost, None if output else ROOT)
 
 
 def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
     """Every generated file with its content; only the bake file if `output` says where to write it."""
     from rosml.images.bake import bake_file, inputs
 
-    known = inputs.Inputs(ROOT, image_set)
-    known.check()
-    bake_files = bake_file.render(image_set, known.targets)
+    target_inputs = inputs.Inputs(ROOT, image_set)
+    target_inputs.check()
+    bake_files = bake_file.render(image_set, target_inputs.targets)
     if output:
         return {output: bake_files[bake_file.NAME]}
     from rosml.containerize.ci import files as ci_files
@@ -80,32 +80,31 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
     }
 
 
-def write(wanted: dict[Path, str], lost: RosmlError | None = None, within: Path | None = None) -> None:
+def write(contents: dict[Path, str], lost: RosmlError | None = None, within: Path | None = None) -> None:
     """Writes the files that changed.
 
     Args:
-        wanted: files, with their content.
         lost: a warning about missing locks; images without locks are in no group.
         within: the folder that links may not lead out of; None for a file that the user named.
     """
-    changed = files.write_all(wanted, within)
-    for file in wanted:
+    changed = files.write_all(contents, within)
+    for file in contents:
         terminal.echo(f"{files.shown(file)}: {'written' if file in changed else 'is up to date'}", err=True)
     if lost:
         command.warn(lost.message, lost.remedy)
 
 
-def verify(wanted: dict[Path, str], lost: RosmlError | None) -> None:
+def verify(contents: dict[Path, str], lost: RosmlError | None) -> None:
     """Compares the files with what would be generated.
 
     Raises:
         RosmlError: a file is stale; or locks are lost, because a commit after 'rosml generate' would include the loss.
     """
-    differences = {file: files.difference(file, content) for file, content in wanted.items()}
+    differences = {file: files.difference(file, content) for file, content in contents.items()}
     stale = [files.shown(file) for file, text in differences.items() if text]
     terminal.echo("".join(differences.values()), nl=False)
-    found = [(lost.message, lost.remedy)] if lost else []
-    found += [(f"{', '.join(stale)}: outdated", f"run '{COMMAND}' and commit the result")] if stale else []
-    if found:
-        problems, remedies = zip(*found, strict=True)
-        raise RosmlError("\n".join(problems), remedy="; then ".join(remedies))
+    problems = [(lost.message, lost.remedy)] if lost else []
+    problems += [(f"{', '.join(stale)}: outdated", f"run '{COMMAND}' and commit the result")] if stale else []
+    if problems:
+        messages, remedies = zip(*problems, strict=True)
+        raise RosmlError("\n".join(messages), remedy="; then ".join(remedies))

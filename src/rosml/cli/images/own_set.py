@@ -6,6 +6,7 @@ import json
 import re
 import shlex
 from collections.abc import Sequence
+from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
@@ -22,45 +23,47 @@ from rosml.registry.place import Place
 EDIT = f"edit {own_set.SET} afterwards"
 
 
-def begin(
-    folder: Path,
-    distributions: Sequence[str],
-    frameworks: Sequence[str],
-    registry: str,
-    rosml: str,
-    accelerator: str,
-    dry_run: bool,
-    as_json: bool,
-) -> None:
-    """Writes the files that are not there, and says what to call next.
+@dataclass(frozen=True)
+class Wishes:
+    """What the user wants in the set.
 
-    Args:
-        folder: where; it is made if it is missing.
+    Attributes:
         distributions, frameworks: names in the matrix; the usual ones if empty.
         registry: where images go.
         rosml: the address of rosml's repository; empty if it is the one that this rosml is from.
         accelerator: `cuda` or `cpu`; both if empty.
-        dry_run: write nothing.
-        as_json: print an object.
+    """
+
+    distributions: Sequence[str]
+    frameworks: Sequence[str]
+    registry: str
+    rosml: str
+    accelerator: str
+
+
+def begin(folder: Path, wishes: Wishes, dry_run: bool, as_json: bool) -> None:
+    """Writes the files that are missing in the folder, and prints what to call next.
 
     Raises:
         RosmlError: there is no registry or no address, or the matrix has no such images (exit code 2).
     """
     from rosml.containerize.init import folder as folders
 
-    if not registry:
+    if not wishes.registry:
         remedy = "name it with --registry, such as ghcr.io/me/robot-images"
         raise RosmlError("a set needs a registry for its images", remedy, exit_code=2)
-    registry = str(Place.at(registry))
+    registry = str(Place.at(wishes.registry))
     folder = folder.resolve()
-    upstream = _upstream(rosml)
+    upstream = _upstream(wishes.rosml)
     image_set = load.load(MATRIX, ROOT)
-    found = own_set.chosen(image_set, distributions, frameworks, registry, _address(folder), accelerator)
-    wanted = folders.compared(folder, own_set.files(image_set, found, upstream))
+    choice = own_set.chosen(
+        image_set, wishes.distributions, wishes.frameworks, registry, _address(folder), wishes.accelerator
+    )
+    files = folders.compared(folder, own_set.files(image_set, choice, upstream))
     if not dry_run:
         folder.mkdir(parents=True, exist_ok=True)
-        folders.write(folder, wanted)
-        for file in wanted:
+        folders.write(folder, files)
+        for file in files:
             if file.path in own_set.PROGRAMS and not file.exists:
                 (folder / file.path).chmod(0o755)
     where = f"cd {shlex.quote(str(folder))} && " if folder != Path.cwd() else ""
@@ -70,26 +73,32 @@ def begin(
         (f"{where}./rosml list", "all images of the set; the first call fetches rosml"),
         ("./rosml setup", "a registry and a builder on this machine, which plan, image and publish need"),
         ("./rosml plan --everywhere", "what is to be built, how long it takes, and how large the registry gets"),
-        (f"./rosml image {found.image.target}", "builds and tests an image on this machine"),
+        (f"./rosml image {choice.image.target}", "builds and tests an image on this machine"),
         ("git init && git add --all && git commit -m 'Our images' && git push", nightly),
     ]
     if as_json:
-        terminal.echo(json.dumps({"folder": str(folder), **first_files.as_json(wanted, calls)}, indent=2))
+        terminal.echo(json.dumps({"folder": str(folder), **first_files.as_json(files, calls)}, indent=2))
     else:
-        first_files.show(wanted, calls, dry_run)
+        first_files.show(files, calls, dry_run)
 
 
-def _upstream(named: str) -> Upstream:
-    """Where this rosml is from: the checkout and its remote, or what it was installed from."""
+def _upstream(repository: str) -> Upstream:
+    """The repository and commit of this rosml: those of the checkout, or of what it was installed from.
+
+    Args:
+        repository: another address, or a folder; empty if the user names none.
+    """
     address, commit = _installed_from()
     if IN_CHECKOUT:
-        found = git.commit(ROOT)
-        address, commit = _address(ROOT), found.hash if found else ""
+        head = git.commit(ROOT)
+        address, commit = _address(ROOT), head.hash if head else ""
     address = address or _project()
-    if named and not re.match(r"(https?|ssh|git|file)://|git@", named) and not Path(named).exists():
-        remedy = "write it as git takes it, such as https://github.com/me/rosml"
-        raise RosmlError(f"{named} is no address of a repository, and no folder", remedy, exit_code=2)
-    address = _public(named) or (str(Path(named).resolve()) if Path(named).exists() else named) if named else address
+    if repository:
+        is_folder = Path(repository).exists()
+        if not is_folder and not re.match(r"(https?|ssh|git|file)://|git@", repository):
+            remedy = "write it as git takes it, such as https://github.com/me/rosml"
+            raise RosmlError(f"{repository} is no address of a repository, and no folder", remedy, exit_code=2)
+        address = _public(repository) or (str(Path(repository).resolve()) if is_folder else repository)
     if not address or not commit:
         what = "the address of rosml's repository" if commit else "the commit of this rosml"
         remedy = (
@@ -101,10 +110,9 @@ def _upstream(named: str) -> Upstream:
     return Upstream(address, commit)
 
 
-def address_of_rosml(named: str) -> str:
-    """The public address of rosml: the one that the user names, that of this checkout or installation, or the project's own; empty if
-    unknown."""
-    return _public(named) or (_address(ROOT) if IN_CHECKOUT else _installed_from()[0]) or _project()
+def address_of_rosml(repository: str) -> str:
+    """The public address of rosml: the user's, that of this checkout or installation, or the project's; empty if unknown."""
+    return _public(repository) or (_address(ROOT) if IN_CHECKOUT else _installed_from()[0]) or _project()
 
 
 def _project() -> str:
@@ -115,14 +123,14 @@ def _project() -> str:
 def _installed_from() -> tuple[str, str]:
     """The address and the commit that pip or uv installed rosml from; empty if that was no repository."""
     try:
-        said = untrusted.json_value(metadata.distribution("rosml").read_text("direct_url.json") or "{}")
-        return _public(str(said["url"])), str(said["vcs_info"]["commit_id"])
+        origin = untrusted.json_value(metadata.distribution("rosml").read_text("direct_url.json") or "{}")
+        return _public(str(origin["url"])), str(origin["vcs_info"]["commit_id"])
     except (metadata.PackageNotFoundError, ValueError, LookupError, TypeError):
         return "", ""
 
 
 def _address(folder: Path) -> str:
-    """The public address of a repository's remote `origin`; empty if it has none."""
+    """The public address of the remote `origin`; empty if the folder is no repository's, or has none."""
     if git.top(folder) != folder:
         return ""
     try:
@@ -132,7 +140,7 @@ def _address(folder: Path) -> str:
 
 
 def _public(address: str) -> str:
-    """An address as everybody reads it, without user and password; empty if it is one of this machine."""
+    """An address as everybody reads it, without user and password; empty if it is of this machine."""
     address = re.sub(r"^(?:ssh://)?git@([\w.-]+)[:/]", r"https://\1/", address)
-    found = re.fullmatch(r"https://(?:[^/@]*@)?([\w.:-]+/[\w./~-]+?)(?:\.git)?/?", address)
-    return f"https://{found[1]}" if found else ""
+    match = re.fullmatch(r"https://(?:[^/@]*@)?([\w.:-]+/[\w./~-]+?)(?:\.git)?/?", address)
+    return f"https://{match[1]}" if match else ""

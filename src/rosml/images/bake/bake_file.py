@@ -24,11 +24,7 @@ NAME, TESTS = "docker-bake.hcl", "docker-bake.tests.hcl"
 def render(image_set: ImageSet, all_targets: Mapping[str, Target] | None = None) -> dict[str, str]:
     """Both files by their names: one with images and parts, one with the structure tests of each image.
 
-    They depend only on the image set. Tests have their own file, because buildx's time for a file grows with the square of its
-    targets.
-
-    Args:
-        all_targets: all targets, if the caller has them already.
+    Tests have their own file, because buildx's time for a file grows with the square of its targets.
     """
     every = _Blocks(image_set, all_targets)
     images, tests = every.needed(every.others), every.needed(every.tests)
@@ -40,12 +36,9 @@ def render(image_set: ImageSet, all_targets: Mapping[str, Target] | None = None)
 
 
 def excerpt(image_set: ImageSet, roots: Iterable[str]) -> str:
-    """The part of both files that some targets need: these targets, and all that they are built on.
+    """The part of both files that targets of images, tests or parts need: these, and all that they are built on.
 
     It looks at no other image, because a run needs hundreds of excerpts.
-
-    Args:
-        roots: targets of images, of their tests, of parts.
     """
     chosen = {targets.CONTENTS, *roots}
     images, parts = set[str](), {root.removeprefix(names.part_target("")) for root in chosen}
@@ -65,7 +58,6 @@ def excerpt(image_set: ImageSet, roots: Iterable[str]) -> str:
 
 
 def variables(matrix: Matrix) -> dict[str, str]:
-    """The default of every variable by its name."""
     return {name: default for name, default, _ in _variables(matrix)}
 
 
@@ -115,11 +107,8 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     yield "REVISION", "", "commit that is built, for a label"
     yield "DIGESTS", "", 'JSON text: dependencies to take from the registry, {"torch-cu128-py311": "sha256:…"}'
     yield "ROS_SYNC_DATES", "", 'JSON text: the dates of ROS\'s repositories, {"jazzy": "2026-11-20T21:14:09Z"}'
-    yield (
-        "ROS_CHANNEL",
-        "",
-        "live, testing, snapshot or final, instead of matrix.yaml's channel (ROS_CHANNEL=final rosml image)",
-    )
+    channels = "live, testing, snapshot or final, instead of matrix.yaml's channel (ROS_CHANNEL=final rosml image)"
+    yield "ROS_CHANNEL", "", channels
     yield "ROS_SNAPSHOT", "", "day of the snapshot if ROS_CHANNEL is snapshot: YYYY-MM-DD"
     yield "CA_BUNDLE", "", "file with certificates that build steps trust; never part of a layer"
     mirror = "mirror of the hosts that ros_archive names, such as http://host:3142; never part of an image"
@@ -153,7 +142,6 @@ ORDER = ("inherits", "description", "target", "platforms", "contexts", "args", "
 
 
 def _fields(target: Target) -> Fields:
-    """All fields of a target."""
     fields = {**EVERY}
     if target.description:
         fields["description", ""] = text(target.description)
@@ -185,11 +173,7 @@ def _context(context: Context) -> str:
 
 @cache
 def _value(value: Value, unknown: str) -> str:
-    """An argument or label.
-
-    Args:
-        unknown: its value if it is a date that nobody has set.
-    """
+    """An argument or label. `unknown` is its value if it is a date that nobody has set."""
     if isinstance(value, str):
         return text(value)
     if isinstance(value, Overridable):
@@ -235,8 +219,7 @@ class _Blocks:
     def _family(self, name: str, above: list[str], members: list[str]) -> None:
         """Adds an abstract target with the fields that its members share, and do not all inherit already.
 
-        Args:
-            above: the targets that it inherits itself; its members inherit it instead of these.
+        It inherits the targets `above`, and its members inherit it instead of these.
         """
         if not members:
             return
@@ -253,11 +236,7 @@ class _Blocks:
             self._above[member] = [*(other for other in self._above[member] if other not in above), name]
 
     def needed(self, roots: Iterable[str], built: bool = False) -> set[str]:
-        """Some targets, and those that they inherit.
-
-        Args:
-            built: also the targets that they are built on.
-        """
+        """Some targets, those that they inherit, and, if `built`, those that they are built on."""
         needed, waiting = set[str](), [root for root in roots if root in self._targets]
         while waiting:
             if (name := waiting.pop()) not in needed:
@@ -338,7 +317,6 @@ def _joined(image: Image) -> str:
 
 
 def _by(images: Iterable[Image], of: Callable[[Image], str]) -> dict[str, list[Image]]:
-    """Images grouped by a key."""
     groups: dict[str, list[Image]] = {}
     for image in images:
         groups.setdefault(of(image), []).append(image)

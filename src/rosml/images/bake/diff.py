@@ -53,8 +53,6 @@ class Difference:
 
 
 def between(earlier: Inputs, later: Inputs) -> Difference:
-    """The differences from one version to another."""
-
     @cache
     def changes(target: str, architecture: str) -> frozenset[Change]:
         before, after = earlier.of(target, architecture), later.of(target, architecture)
@@ -118,7 +116,7 @@ def _stays(way: tuple[str | None, str | None], earlier: ImageSet, later: ImageSe
 
 
 def as_json(difference: Difference) -> str:
-    """The whole difference as JSON, with whole digests."""
+    """The whole difference, with whole digests."""
     changed = {
         target: [{"input": change.input, "old": change.before, "new": change.after} for change in changes]
         for target, changes in difference.changed.items()
@@ -166,7 +164,7 @@ def _tag_rows(tags: Mapping[str, tuple[str | None, str | None]]) -> Iterator[tup
 
 
 def markdown(difference: Difference) -> str:
-    """The difference in Markdown, for the summary of a job."""
+    """The difference for the summary of a job."""
     counts = [how_many(difference, name) for name in ("added", "removed", "changed")]
     lines = list(rows(difference))
     table = "\n" + github.table(("what", "why", "which"), lines) if lines else ""

@@ -51,7 +51,6 @@ def aligned(values: Mapping[str, object]) -> Iterable[str]:
 
 @cache
 def key(name: str) -> str:
-    """A key of a mapping, in quotes if it needs them."""
     return name if re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]*", name) else text(name)
 
 

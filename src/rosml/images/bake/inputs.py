@@ -29,7 +29,6 @@ UNPINNED = "not pinned"
 """The value of a base image without a digest, and of a context from no target."""
 
 MISSING = "missing"
-"""The value of a missing file."""
 
 
 class Inputs:
@@ -60,7 +59,14 @@ class Inputs:
                 inputs |= {f"environment {name}": value for name, value in bake_target.join.environment.items()}
                 inputs |= {name: value for context in contexts.values() for name, value in context.items()}
             else:
-                inputs |= self._built(bake_target.stage, target, contexts, arguments, architecture)
+                if bake_target.stage not in self._stages:
+                    text = f"the Dockerfile has no stage {bake_target.stage}, from which {target} is built"
+                    raise RosmlError(text, "write it there as 'FROM … AS name' on one line")
+                inputs |= {
+                    "Dockerfile: before the first stage": self._stages[""].digest,
+                    ".dockerignore": self._ignored,
+                }
+                inputs |= self._stage(bake_target.stage, contexts, arguments, architecture)
             inputs |= {f"argument {name}": value for name, value in arguments.items()}
             inputs |= {f"label {name}": value for name, value in _facts(bake_target.labels, f"{target}, label").items()}
             if "TESTS" in arguments:
@@ -69,28 +75,11 @@ class Inputs:
         return self._inputs[key]
 
     def of_tests(self, image: Image, architecture: str, names: tuple[str, ...]) -> dict[str, str]:
-        """The inputs of an image's tests with these names."""
-        whole = self.of(image.test_target, architecture)
+        inputs = self.of(image.test_target, architecture)
         if names == image.tests:
-            return whole
-        folder = self._source(structure.FOLDER)
-        inputs = {**whole, **folder, "argument TESTS": " ".join(names)}
-        return self._of_files(inputs, names)
-
-    def _built(
-        self,
-        stage: str,
-        target: str,
-        contexts: Mapping[str, Mapping[str, str]],
-        arguments: Mapping[str, str],
-        architecture: str,
-    ) -> dict[str, str]:
-        """The inputs of a stage of the Dockerfile."""
-        if stage not in self._stages:
-            text = f"the Dockerfile has no stage {stage}, from which {target} is built"
-            raise RosmlError(text, "write it there as 'FROM … AS name' on one line")
-        above = {"Dockerfile: before the first stage": self._stages[""].digest, ".dockerignore": self._ignored}
-        return above | self._stage(stage, contexts, arguments, architecture)
+            return inputs
+        all_files = self._source(structure.FOLDER)
+        return self._of_files({**inputs, **all_files, "argument TESTS": " ".join(names)}, names)
 
     def _of_files(self, inputs: Mapping[str, str], names: Collection[str]) -> dict[str, str]:
         """Inputs with only the files of structure tests that belong to these names. The builder gets all files."""
@@ -109,10 +98,7 @@ class Inputs:
         return StructureTests({path.relative_to(folder).as_posix(): _text(path) for path in paths})
 
     def check(self, things: Iterable[Image | Part] | None = None) -> None:
-        """Checks that images and parts can be built and tested once their locks exist.
-
-        Args:
-            things: the images and parts; the whole image set if None.
+        """Checks that images and parts, all if None, can be built and tested once their locks exist.
 
         Raises:
             RosmlError: a file from which a target is built, or one of structure tests, is missing.
@@ -143,7 +129,6 @@ class Inputs:
         return sorted(name for name in gone - self.image_set.locks if not set("*?[").intersection(name))
 
     def digest(self, target: str, architecture: str) -> str:
-        """The digest of a target's inputs."""
         key = (target, architecture)
         if key not in self._digests:
             self._digests[key] = _digest(self.of(target, architecture))

@@ -15,8 +15,7 @@ class Choice:
     """The images that a change reaches.
 
     Attributes:
-        built: the targets to build.
-        left_out: the targets that are left out.
+        built, left_out: targets.
         unlocked: the number of further images without a lock.
         elsewhere: the number of further images for other architectures only.
     """
@@ -42,13 +41,7 @@ def choose(image_set: ImageSet, difference: Difference, architectures: Sequence[
     """Chooses images that differ from an earlier version.
 
     It takes one image after the other: that which covers most new things; first changes, then distributions, components,
-    frameworks and stacks. If several cover the same, it takes the smallest.
-
-    Args:
-        image_set: all images of the matrix.
-        difference: the difference from the earlier version.
-        architectures: architectures that can be built here.
-        at_most: the most images to build.
+    frameworks and stacks. If several cover the same, it takes the smallest. `architectures` can be built here.
     """
     reached = [image for image in image_set.images if image.target in {*difference.added, *difference.changed}]
     locked = [image for image in reached if image.locked]

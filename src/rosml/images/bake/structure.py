@@ -29,11 +29,7 @@ _CLIMBS = re.compile(r"\bparents\b|parent\W+parent|pardir|%/\*|dirname(?s:.*)dir
 
 
 class StructureTests:
-    """The files of tests/structure and their calls.
-
-    Attributes:
-        texts: the texts of all files, by path in the folder.
-    """
+    """The files of tests/structure and their calls. `texts` has the text of each file, by path in the folder."""
 
     def __init__(self, texts: Mapping[str, str]) -> None:
         self.texts = texts

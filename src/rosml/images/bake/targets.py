@@ -20,7 +20,6 @@ EPOCH = "1767225600"
 """2026-01-01T00:00:00Z: the time of every file and image, so that the same inputs give the same digests."""
 
 PROXIES = ("HTTP_PROXY", "HTTPS_PROXY", "NO_PROXY")
-"""The caller's network settings for build steps."""
 
 LICENCE = "Apache-2.0"
 """The licence of rosml's own files in ROS images. Packages of the system have theirs in /usr/share/doc."""
@@ -31,12 +30,7 @@ CONTENTS = "contents"
 
 @dataclass(frozen=True)
 class Overridable:
-    """A fact of the matrix that a variable of the bake file may override.
-
-    Attributes:
-        variable: the variable, whose value counts unless it is empty.
-        fact: the value otherwise, which decides the inputs.
-    """
+    """A fact of the matrix, unless a variable of the bake file has a value. The fact decides the inputs."""
 
     variable: str
     fact: str
@@ -76,7 +70,6 @@ Value = str | Overridable | NoInput
 """An argument or label: a fact, or a value that a variable decides. If something else shall decide one, give it its own type here."""
 
 Context = Dependency | Overridable
-"""A context: another target, or the base image that a variable names."""
 
 
 @dataclass(frozen=True)
@@ -121,7 +114,6 @@ class Target:
 
 
 def of(image_set: ImageSet) -> dict[str, Target]:
-    """Every target, by its name."""
     return dict(_targets(image_set))
 
 
@@ -155,7 +147,6 @@ def _common() -> dict[str, Value]:
 
 
 def base_image(matrix: Matrix, os: str) -> str:
-    """The context for the base image of an operating system."""
     system = matrix.operating_systems[os]
     return f"docker-image://{system.image}@{system.digest}"
 
@@ -243,16 +234,8 @@ def _joined(image_set: ImageSet, image: Image) -> Target:
     contexts |= {f"part-{part}": Dependency(names.files_target(name), name, PARTS) for part, name in parts.items()}
     roots = {root_variable(part): NoInput("root", name) for part, name in parts.items()}
     join = Join(tuple(parts), labels.environment(image.brought))
-    return Target(
-        "",
-        contexts,
-        {**_common(), **roots},
-        image.platforms,
-        image.tags,
-        _labels(matrix, image),
-        unlocked(image),
-        join,
-    )
+    arguments = {**_common(), **roots}
+    return Target("", contexts, arguments, image.platforms, image.tags, _labels(matrix, image), unlocked(image), join)
 
 
 def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
@@ -260,6 +243,9 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
     distribution = matrix.distributions[image.distribution]
     stack = matrix.stacks[image.stack] if image.stack else None
     kinds = rules.parts(matrix, matrix.carrying(image.framework, *image.addons), stack) if stack else ()
+    kind = labels.ImageKind(
+        image.distribution, image.component, str(image.ros), image.framework, image.stack, image.addons
+    )
     labels_of_image: dict[str, Value] = {
         **labels.licensed([matrix.part[name] for name in kinds], LICENCE),
         labels.REVISION: NoInput("variable", "REVISION"),
@@ -273,12 +259,7 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         f"{labels.PREFIX}ros": str(image.ros),
         **{f"{labels.PREFIX}{item.name}": item.version for item in image.brought},
         **labels.about_gpus(image.gpu),
-        **labels.about_image(
-            labels.ImageKind(
-                image.distribution, image.component, str(image.ros), image.framework, image.stack, image.addons
-            ),
-            image.brought,
-        ),
+        **labels.about_image(kind, image.brought),
     }
     if runtime := rules.runtime(matrix, image.distribution, image.component):
         labels_of_image[labels.RUNTIME] = runtime
@@ -286,7 +267,6 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         labels_of_image[labels.SOURCE] = matrix.source
     if image.stack:
         labels_of_image[f"{labels.PREFIX}stack"] = image.stack
-        kinds = rules.parts(matrix, matrix.carrying(image.framework, *image.addons), matrix.stacks[image.stack])
         labels_of_image[labels.PARTS] = " ".join(kinds)
     if image.addons:
         labels_of_image[labels.ADDONS] = " ".join(image.addons)

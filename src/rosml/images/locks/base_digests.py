@@ -7,7 +7,7 @@ which is an input of everything that depends on it.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from rosml.base.errors import RosmlError
@@ -27,7 +27,7 @@ WITHOUT_HUB = "ROSML_DOCKER_HUB"
 
 @dataclass(frozen=True)
 class Pin:
-    """A moved base image: the operating system, the image with its tag, the digest in the matrix, and the new one."""
+    """A base image whose tag has another digest: the system, the image with its tag, the digest in the matrix, and the new one."""
 
     system: str
     image: str
@@ -35,17 +35,12 @@ class Pin:
     after: str
 
 
-@dataclass
+@dataclass(frozen=True)
 class Pins:
-    """The digests of all base images.
+    """Base images that moved, and the reason for each that could not be checked."""
 
-    Attributes:
-        moved: base images whose tag has another digest.
-        left_out: base images that could not be checked, with the reason.
-    """
-
-    moved: list[Pin] = field(default_factory=list)
-    left_out: dict[str, str] = field(default_factory=dict)
+    moved: Sequence[Pin] = ()
+    left_out: Mapping[str, str] = field(default_factory=dict)
 
 
 def pinned(document: Document) -> list[str]:
@@ -54,14 +49,7 @@ def pinned(document: Document) -> list[str]:
 
 
 def look(matrix: Matrix, names: Iterable[str], registries: Callable[[str], Registry]) -> Pins:
-    """Asks the registries for the digests of base images.
-
-    Args:
-        matrix: the matrix with the images.
-        names: the systems to ask about.
-        registries: returns the client of a host.
-    """
-    pins = Pins()
+    """Asks the registries for the digests of the base images of some systems."""
     systems = {name: matrix.operating_systems[name] for name in names}
 
     def current_digest(name: str) -> str | RosmlError:
@@ -70,20 +58,18 @@ def look(matrix: Matrix, names: Iterable[str], registries: Callable[[str], Regis
         except RosmlError as error:
             return error
 
-    for name, answer in zip(systems, side_by_side(current_digest, systems), strict=True):
-        if isinstance(answer, RosmlError):
-            pins.left_out[name] = answer.message
-        elif answer != systems[name].digest:
-            pins.moved.append(Pin(name, systems[name].image, systems[name].digest, answer))
-    return pins
+    answers = dict(zip(systems, side_by_side(current_digest, systems), strict=True))
+    return Pins(
+        [
+            Pin(name, systems[name].image, systems[name].digest, answer)
+            for name, answer in answers.items()
+            if isinstance(answer, str) and answer != systems[name].digest
+        ],
+        {name: answer.message for name, answer in answers.items() if isinstance(answer, RosmlError)},
+    )
 
 
 def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str], Registry]) -> str:
-    """The digest of an image's index now.
-
-    Raises:
-        RosmlError: the registry does not answer; the image lacks an architecture, or has ONBUILD.
-    """
     where = references.parse(system.image)
     if where.host == DOCKER_HUB and os.environ.get(WITHOUT_HUB) == "0":
         raise RosmlError(f"{WITHOUT_HUB}=0 says that Docker Hub does not answer")
@@ -103,12 +89,7 @@ def _current(matrix: Matrix, system: OperatingSystem, registries: Callable[[str]
 
 
 def rewritten(text: str, document: Document, pins: Iterable[Pin]) -> str:
-    """The text of a matrix with new digests. Everything else stays, including comments.
-
-    Args:
-        text: the file's text.
-        document: the parsed file.
-    """
+    """The text of a matrix with new digests. Everything else stays, including comments."""
     lines = text.splitlines(keepends=True)
     for pin in pins:
         place = document.places[(SECTION, pin.system, "digest")]
@@ -120,7 +101,6 @@ def rewritten(text: str, document: Document, pins: Iterable[Pin]) -> str:
 
 
 def rows(moved: Iterable[Pin]) -> list[tuple[str, str, str, str]]:
-    """Rows for a table: system, image, and the beginnings of the digests."""
     return [(pin.system, pin.image, pin.before[:19], pin.after[:19]) for pin in moved]
 
 

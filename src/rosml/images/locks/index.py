@@ -27,7 +27,7 @@ _PIECE = 1 << 18
 
 @dataclass(frozen=True)
 class Wheel:
-    """A wheel on the index: its address, and its size in bytes."""
+    """A wheel on the index; its size in bytes."""
 
     url: str
     size: int
@@ -41,8 +41,6 @@ class WheelTarget(NamedTuple):
 
 
 class Index:
-    """The package index that uv is configured for."""
-
     def __init__(self, uv: Uv, client: httpx.Client) -> None:
         self.uv = uv
         self._client = client
@@ -50,22 +48,12 @@ class Index:
     def resolve(
         self, target: WheelTarget, requirements: Iterable[str], constraints: Iterable[str] = (), *options: str
     ) -> tuple[str, str]:
-        """The requirements from `uv pip compile`, empty if nothing fits; and its messages.
-
-        Raises:
-            RosmlError: the index does not answer.
-        """
+        """The requirements from `uv pip compile`, empty if nothing fits; and its messages."""
         with tempfile.TemporaryDirectory() as folder:
             base = Path(folder)
             (base / "in.txt").write_text("\n".join(requirements) + "\n")
             (base / "constraints.txt").write_text("\n".join(constraints) + "\n")
-            command = [
-                *compile_command(*target),
-                "--no-header",
-                "--no-annotate",
-                "--constraint",
-                "constraints.txt",
-            ]
+            command = [*compile_command(*target), "--no-header", "--no-annotate", "--constraint", "constraints.txt"]
             command.remove("--quiet")  # with --quiet, uv does not warn about lost extras
             output = base / ("pylock.toml" if options else "out.txt")
             status, messages = self.uv([*command, *options, "in.txt", "--output-file", output.name], base)
@@ -76,15 +64,7 @@ class Index:
         return "", messages
 
     def wheels(self, target: WheelTarget, pins: Mapping[str, str], index: str = "") -> dict[str, Wheel]:
-        """The wheels of packages in their versions.
-
-        Args:
-            pins: the packages and their versions.
-            index: the address of another index, which is asked first.
-
-        Raises:
-            RosmlError: the index lacks one, does not say where and how large it is, or does not answer.
-        """
+        """The wheels of packages in their versions. `index` is the address of another index, which is asked first."""
         requirements = [f"{name}=={version}" for name, version in pins.items()]
         other = ["--index", index] if index else []
         text, messages = self.resolve(target, requirements, (), "--no-deps", "--format", "pylock.toml", *other)
@@ -101,20 +81,11 @@ class Index:
 
     @cache  # noqa: B019 - lives as long as a command
     def metadata(self, wheel: Wheel) -> str:
-        """A wheel's METADATA.
-
-        Raises:
-            RosmlError: the wheel cannot be read.
-        """
         return self._file(wheel, "METADATA")
 
     @cache  # noqa: B019 - lives as long as a command
     def record(self, wheel: Wheel) -> Mapping[str, str]:
-        """The files of a wheel by its RECORD: their hashes, by path.
-
-        Raises:
-            RosmlError: the wheel cannot be read.
-        """
+        """The files of a wheel by its RECORD: their hashes, by path."""
         try:
             return {row[0]: row[1] for row in csv.reader(self._file(wheel, "RECORD").splitlines()) if len(row) == 3}
         except csv.Error as error:

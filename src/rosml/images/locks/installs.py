@@ -51,8 +51,6 @@ class Environment:
 
     Attributes:
         framework: the framework with the most parts, as in the matrix.
-        stack: the name of the stack.
-        python: the version of Python.
         architecture: the first architecture of the images.
     """
 
@@ -90,11 +88,7 @@ def environments(image_set: ImageSet) -> list[Environment]:
         if image.locked and not image.addons and _slots(image_set, image.framework):
             environment = Environment(image.framework, image.stack or "", image.python, image.architectures[0])
             environments_by_key[environment.stack, environment.python] = environment
-    return sorted(environments_by_key.values(), key=lambda item: (_number(item.python), item.stack))
-
-
-def _number(python: str) -> int:
-    return int(python.split(".")[1])
+    return sorted(environments_by_key.values(), key=lambda item: (int(item.python.split(".")[1]), item.stack))
 
 
 def _slots(image_set: ImageSet, framework: str) -> list[str]:
@@ -109,16 +103,7 @@ def look(
     stacks: Sequence[str] = (),
     say: Callable[[str], None] = lambda line: None,
 ) -> dict[Environment, list[Resolved]]:
-    """The releases that people get in every environment.
-
-    Args:
-        root: the checkout.
-        stacks: only these stacks; all if empty.
-        say: gets messages, a line each.
-
-    Raises:
-        RosmlError: uv is missing, or the index does not answer.
-    """
+    """The releases that people get in every environment."""
     chosen = [item for item in environments(image_set) if not stacks or item.stack in stacks]
     resolved: dict[Environment, list[Resolved]] = {}
     with web.client(timeout=60) as client:
@@ -156,7 +141,6 @@ def constraints(image_set: ImageSet, root: Path, environment: Environment, index
 
 
 def _system(image_set: ImageSet, environment: Environment) -> str:
-    """The operating system of an environment, by its Python."""
     return next(image.os for image in image_set.images if image.python == environment.python)
 
 
@@ -256,11 +240,7 @@ def to_json(resolved: Mapping[Environment, Sequence[Resolved]]) -> str:
 
 
 def render(page: str, resolved: Mapping[Environment, Sequence[Resolved]]) -> str:
-    """The page with an up-to-date table.
-
-    Raises:
-        RosmlError: markers are missing.
-    """
+    """The page with an up-to-date table."""
     head, begin, rest = page.partition(BEGIN)
     _, end, tail = rest.partition(END)
     if not begin or not end:

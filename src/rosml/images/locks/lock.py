@@ -33,7 +33,7 @@ from rosml.images.matrix.model import ANY_PYTHON, PartEntry
 
 
 def closure(root: str, pins: Iterable[Pin]) -> frozenset[str]:
-    """The names of all packages that ``root`` needs, including itself."""
+    """The names of all packages that `root` needs, including itself."""
     children: dict[str, set[str]] = {}
     for pin in pins:
         for parent in pin.wanted_by:
@@ -76,7 +76,6 @@ def split(
 
 
 def shared_part(parts: Sequence[PartEntry]) -> str:
-    """The part with the packages that several releases need."""
     return next(part.name for part in parts if part.shared)
 
 
@@ -221,7 +220,7 @@ def _merged(path: str, pins: Mapping[str, Pin], new_pins: Sequence[Pin]) -> dict
 
 
 class Move(NamedTuple):
-    """A package that moved in a stack from one version to another. A version is empty if the package is new or gone."""
+    """A package that moved in a stack. A version is empty if the package is new or gone."""
 
     stack: str
     package: str

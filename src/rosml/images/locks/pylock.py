@@ -26,8 +26,6 @@ class Wheel(_Shape):
 
 
 class Package(_Shape):
-    """A package in the version that uv chose."""
-
     name: str
     version: str
     wheels: list[Wheel] = []
@@ -38,11 +36,7 @@ class _Lock(_Shape):
 
 
 def read(text: str) -> list[Package]:
-    """The packages of a file.
-
-    Raises:
-        RosmlError: uv wrote something else.
-    """
+    """The packages of a file."""
     try:
         return _Lock.model_validate(untrusted.toml_value(text)).packages
     except ValidationError as error:

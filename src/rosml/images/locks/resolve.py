@@ -19,7 +19,7 @@ _PIN = re.compile(r"^(?P<name>[A-Za-z0-9._-]+)==(?P<version>[^\s;\\]+)")
 
 @dataclass(frozen=True)
 class Pin:
-    """A locked package: its version, the hashes of its files, and the packages that require it."""
+    """A locked package: the hashes of its files, and the packages that require it."""
 
     name: str
     version: str
@@ -132,8 +132,6 @@ def _remedy(indexes: Mapping[str, str], errors: str) -> str:
 
 
 class Unreachable(RosmlError):
-    """PyTorch's own index does not answer."""
-
     def __init__(self, reason: str) -> None:
         cause = reason.strip().rpartition("cause: ")[2]
         super().__init__(

@@ -29,7 +29,6 @@ class Difference:
 
     Attributes:
         part: the part's entry in the matrix, such as `tensorflow-cc`.
-        stack, architecture: those of the lock.
         package: the package with its version, such as `tensorflow-cpu==2.21.0`.
         built_from: the Python whose wheel the part is taken from.
         python: the Python whose wheel differs.
@@ -45,7 +44,6 @@ class Difference:
     files: tuple[str, ...]
 
     def __str__(self) -> str:
-        """One sentence for people."""
         return (
             f"part {self.part}, stack {self.stack}, {self.architecture}: {self.package} has other files for Python {self.python} than for"
             f" Python {self.built_from}, from which the part is built: {some(self.files)}"
@@ -59,12 +57,8 @@ def differences(
 
     Args:
         root: the project's root, whose `components/` say what parts have of their wheels.
-        index: the index that has the wheels.
         texts: the locks, by path.
         stacks: only these stacks; all if empty.
-
-    Raises:
-        RosmlError: the index does not answer, or lacks a locked version.
     """
 
     def compare(lock: tuple[Part, str]) -> list[Difference]:
@@ -80,7 +74,6 @@ def differences(
 def _of_lock(
     image_set: ImageSet, root: Path, index: Index, part: Part, architecture: str, pins: Mapping[str, str]
 ) -> Iterator[Difference]:
-    """Compares the wheels of one lock."""
     matrix = image_set.matrix
     built_from = matrix.operating_systems[part.os].python
     others = _pythons(image_set, part, architecture) - {built_from}

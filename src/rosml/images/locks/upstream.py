@@ -53,14 +53,8 @@ def look(
 ) -> list[Newer]:
     """All newer releases than those of the matrix, by stack and package.
 
-    For each stack and Python it checks one architecture, the first whose wheels are all on the default index.
-
-    Args:
-        stacks: only these stacks; all if empty.
-        say: gets messages, a line each.
-
-    Raises:
-        RosmlError: uv is missing, or the index does not answer.
+    For each stack and Python it checks one architecture, the first whose wheels are all on the default index. Without `stacks`, it
+    checks all.
     """
     chosen: dict[tuple[str, str, tuple[str, ...]], Request] = {}
     for item in requests(image_set):
@@ -121,7 +115,7 @@ def _newest(request: Request, packages: Iterable[str], uv: Uv) -> Mapping[str, t
 
 
 def _day(package: pylock.Package) -> str:
-    """The day of a package's oldest wheel."""
+    """The day of a package's oldest wheel; empty if the index does not say it."""
     times = [str(wheel.uploaded) for wheel in package.wheels if wheel.uploaded]
     return min(times)[:10] if times else ""
 
@@ -132,10 +126,8 @@ def _with(image_set: ImageSet, request: Request, family: str, requirement: str, 
     newer = f"{requirement.partition('==')[0]}=={version}"
     if requirement == request.roots[family]:
         release = image_set.matrix.releases[family].get(version)
-        overrides = {
-            *request.overrides,
-            *(f"{name}{bound}" for name, bound in (release.adapted if release else {}).items()),
-        }
+        adapted = release.adapted if release else {}
+        overrides = {*request.overrides, *(f"{name}{bound}" for name, bound in adapted.items())}
         roots = {**request.roots, family: newer}
         alone = {**request.beside, family: ()}
         return replace(request, roots=roots, beside=alone, overrides=tuple(sorted(overrides)))
