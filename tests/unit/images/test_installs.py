@@ -7,12 +7,10 @@ from pathlib import Path
 
 import httpx
 import pytest
-from click.testing import CliRunner
 from conftest import ROOT
 
 from fakes.stubs import executable
 from rosml.base.errors import RosmlError
-from rosml.cli.images.locks import main
 from rosml.images.image_set import load
 from rosml.images.locks import installs
 from rosml.images.locks.index import Index, WheelTarget
@@ -36,7 +34,7 @@ esac
 """A local replacement for uv: gradio 6 needs a newer pillow, and jax a newer numpy."""
 
 
-def found(tmp_path: Path, package: str, *constraints: str) -> Resolved:
+def resolved(tmp_path: Path, package: str, *constraints: str) -> Resolved:
     uv = Uv(executable(tmp_path / "uv", RESOLVER))
     with httpx.Client() as client:
         newest = {"gradio": "6.0", "jax[cuda13]": "0.12"}
@@ -45,7 +43,7 @@ def found(tmp_path: Path, package: str, *constraints: str) -> Resolved:
 
 def test_a_pin_that_nobody_needs_is_named(tmp_path: Path) -> None:
     """pillow has one version in the image, and is not among what has to have one: here by a line that is no pin of a part."""
-    item = found(tmp_path, "gradio", "torch==2.10.0", "pillow==11.0; python_version > '3'")
+    item = resolved(tmp_path, "gradio", "torch==2.10.0", "pillow==11.0; python_version > '3'")
     assert (item.version, item.beside, item.held_by) == ("3.36.1", "6.0", ("pillow==11.0; python_version > '3'",))
     assert installs.too_old({HERE: [item]}) == [
         "ml cu128, Python 3.12: gradio 3.36.1, and 6.0 would go: pillow==11.0; python_version > '3'"
@@ -53,40 +51,34 @@ def test_a_pin_that_nobody_needs_is_named(tmp_path: Path) -> None:
 
 
 def test_what_has_one_version_in_the_image_may_hold_others(tmp_path: Path) -> None:
-    item = found(tmp_path, "gradio", "torch==2.10.0", "pillow==11.0")
+    item = resolved(tmp_path, "gradio", "torch==2.10.0", "pillow==11.0")
     assert (item.version, item.newest, item.held_by) == ("3.36.1", "6.0", ("pillow==11.0",))
     assert installs.too_old({HERE: [item]}) == []
 
 
 def test_an_extra_that_is_lost_is_told(tmp_path: Path) -> None:
-    item = found(tmp_path, "jax[cuda13]", "numpy==1.26.4")
+    item = resolved(tmp_path, "jax[cuda13]", "numpy==1.26.4")
     assert (item.version, item.extra) == ("0.6.2", False)
 
 
 def test_an_index_that_does_not_answer_is_no_refusal(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="does not say what people get"):
-        found(tmp_path, "lost")
+        resolved(tmp_path, "lost")
 
 
 def test_every_stack_and_python_is_looked_at() -> None:
     image_set = load.load(ROOT / "matrix.yaml", ROOT)
-    wanted = {(image.stack, image.python) for image in image_set.images if image.locked and image.framework == "torch"}
-    wanted |= {
+    locked = {(image.stack, image.python) for image in image_set.images if image.locked and image.framework == "torch"}
+    locked |= {
         (image.stack, image.python) for image in image_set.images if image.locked and image.framework == "tensorflow"
     }
-    there = [(item.stack, item.python) for item in installs.environments(image_set)]
-    assert set(there) == wanted and len(there) == len(wanted)
+    environments = [(item.stack, item.python) for item in installs.environments(image_set)]
+    assert set(environments) == locked and len(environments) == len(locked)
     assert all(len(installs.PACKAGES) == len(items) for items in committed().values())
     assert set(committed()) == set(installs.environments(image_set))
 
 
-def test_it_is_asked_for_alone() -> None:
-    done = CliRunner().invoke(main, ["--installs", "--check"])
-    assert done.exit_code == 2 and "give no other option" in done.output
-
-
 def committed() -> dict[Environment, list[Resolved]]:
-    """The data of the checkout."""
     return {
         Environment(**{key: row[key] for key in row if key != "packages"}): [
             Resolved(**{**item, "held_by": tuple(item["held_by"])}) for item in row["packages"]

@@ -54,8 +54,8 @@ def problems(tmp_path: Path, text: str) -> list[str]:
 
 
 def test_a_set_has_what_it_names_and_nothing_else(tmp_path: Path, real: ImageSet) -> None:
-    made = loaded(tmp_path, SET)
-    assert {image.target for image in made.images} == {
+    image_set = loaded(tmp_path, SET)
+    assert {image.target for image in image_set.images} == {
         image.target
         for image in real.images
         if (image.distribution == "jazzy" or (image.distribution == "humble" and image.component in ("core", "base")))
@@ -63,15 +63,16 @@ def test_a_set_has_what_it_names_and_nothing_else(tmp_path: Path, real: ImageSet
         and image.stack in (None, "cu130")
         and not image.addons
     }, "also without the add-ons, which it does not name"
-    assert made.matrix.registry == "registry.example.com/robots" and not made.matrix.distributions["humble"].lts
-    assert made.image("jazzy-base-torch-cu130") == real.image("jazzy-base-torch-cu130"), "the same tags and locks"
-    assert set(made.matrix.disk.parts) == set(made.matrix.disk.budgets) == {"cu130"}
-    assert "torch" in made.matrix.releases and "tensorflow" not in made.matrix.releases
-    assert made.matrix.operating_systems == real.matrix.operating_systems
+    assert (
+        image_set.matrix.registry == "registry.example.com/robots" and not image_set.matrix.distributions["humble"].lts
+    )
+    assert image_set.image("jazzy-base-torch-cu130") == real.image("jazzy-base-torch-cu130"), "the same tags and locks"
+    assert set(image_set.matrix.disk.parts) == set(image_set.matrix.disk.budgets) == {"cu130"}
+    assert "torch" in image_set.matrix.releases and "tensorflow" not in image_set.matrix.releases
+    assert image_set.matrix.operating_systems == real.matrix.operating_systems
 
 
 def test_a_set_adds_what_is_its_own(tmp_path: Path) -> None:
-    """A distribution and a part; digests and forecasts key by key."""
     text = SET.replace(
         "  humble:",
         "  mine: {os: bookworm, ros: 1, packages: ros-core, components: [core], default_stack: cu130}\n  humble:",
@@ -87,10 +88,10 @@ releases:
     0.8.1: {python: ["3.10", "3.11", "3.12"], wheels: {cu130: [amd64]}}
 disk: {parts: {cu130: {einops: {unpacked: 1, compressed: 1}}}}
 """
-    made = loaded(tmp_path, text)
-    assert made.image("mine-core").os == "bookworm"
-    assert [part.kind for part in made.parts if part.kind == "einops"]
-    torch = made.image("jazzy-base-torch-cu130")
+    image_set = loaded(tmp_path, text)
+    assert image_set.image("mine-core").os == "bookworm"
+    assert [part.kind for part in image_set.parts if part.kind == "einops"]
+    torch = image_set.image("jazzy-base-torch-cu130")
     assert torch.parts[-1].startswith("einops") and torch.versions["torch"]
     assert problems(tmp_path, text.replace("slot: 16", "slot: 1")) == [
         "14: parts[einops].slot: slot 1 is that of common; free is 3"
@@ -102,48 +103,41 @@ disk: {parts: {cu130: {einops: {unpacked: 1, compressed: 1}}}}
 
 
 @pytest.mark.parametrize(
-    ("name", "said"),
+    ("name", "reason_part"),
     [
-        (
-            "humble-desktop",
-            "which does not choose the component desktop of humble; it is in rosml: name it in set.yaml.",
-        ),
-        ("noetic-core", "which does not choose the distribution noetic; it is in rosml"),
-        ("ros:noetic", "which does not choose the distribution noetic; it is in rosml"),
+        ("humble-desktop", "the component desktop of humble; it is in rosml: name it in set.yaml."),
+        ("ros:noetic", "the distribution noetic; it is in rosml"),
         (
             "noetic-base-tensorflow-cpu38",
-            "which does not choose the distribution noetic, the framework tensorflow and the stack cpu38; it is in rosml",
+            "the distribution noetic, the framework tensorflow and the stack cpu38; it is ",
         ),
-        ("jazzy-base-tf-cu128", "which does not choose the framework tensorflow and the stack cu128; it is in rosml"),
-        ("ros-torch:jazzy-base-cu128", "which does not choose the stack cu128; it is in rosml"),
-        (
-            "foxy-core-torch-cu130",
-            "which does not choose the distribution foxy, and is not in rosml either: torch ",
-        ),
+        ("jazzy-base-tf-cu128", "the framework tensorflow and the stack cu128; it is in rosml"),
+        ("foxy-core-torch-cu130", "the distribution foxy, and is not in rosml either: torch "),
     ],
 )
-def test_what_a_set_leaves_out_is_no_fact_about_ros(name: str, said: str, tmp_path: Path) -> None:
+def test_what_a_set_leaves_out_is_no_fact_about_ros(name: str, reason_part: str, tmp_path: Path) -> None:
     reason = explain.why_not(loaded(tmp_path, SET), name) or ""
-    assert f" does not exist in this set, {said}" in reason
+    assert f" does not exist in this set, which does not choose {reason_part}" in reason
 
 
 def test_what_neither_has_is_told_as_it_is(tmp_path: Path, real: ImageSet) -> None:
-    made = loaded(tmp_path, SET)
+    image_set = loaded(tmp_path, SET)
     for name in ("humble-robot", "jazzy-robot"):
-        reason = explain.why_not(made, name)
+        reason = explain.why_not(image_set, name)
         assert reason == explain.why_not(real, name) and reason and "no robot metapackage" in reason
     assert (
-        explain.why_not(made, "jazzy-base-torch") == "jazzy-base-torch names no stack; there is jazzy-base-torch-cu130."
+        explain.why_not(image_set, "jazzy-base-torch")
+        == "jazzy-base-torch names no stack; there is jazzy-base-torch-cu130."
     )
-    assert explain.why_not(made, "jazzy-nothing") is None
+    assert explain.why_not(image_set, "jazzy-nothing") is None
 
 
 def test_one_architecture_and_one_accelerator(tmp_path: Path, real: ImageSet) -> None:
     text = SET.replace("cu130:", "cpu:").replace("-torch-cu130", "-torch-cpu") + "architectures:\n  amd64:\n"
-    made = loaded(tmp_path, text)
-    assert {image.architectures for image in made.images} == {("amd64",)}
-    assert made.matrix.distributions["jazzy"].default_stacks == ("cpu",), "those of rosml are gone"
-    assert "ros-torch:jazzy" in made.image("jazzy-base-torch-cpu").tags
+    image_set = loaded(tmp_path, text)
+    assert {image.architectures for image in image_set.images} == {("amd64",)}
+    assert image_set.matrix.distributions["jazzy"].default_stacks == ("cpu",), "those of rosml are gone"
+    assert "ros-torch:jazzy" in image_set.image("jazzy-base-torch-cpu").tags
     text = "extends: rosml\narchitectures:\n  arm64:\ndefault: {targets: [jazzy-core], group: [jazzy-core]}\n"
     assert {image.target for image in loaded(tmp_path, text).images} == {
         image.target for image in real.images if "arm64" in image.architectures and not image.addons
@@ -163,19 +157,11 @@ def test_where_a_sets_images_go(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "said"),
+    ("line", "replacement", "problem"),
     [
         ("  none:\n", "", "7: frameworks: add 'none:', since images with a framework stand on those without one"),
-        (
-            "stacks:",
-            "architectures:\n  x86_64:\nstacks:",
-            "11: architectures.x86_64: no architecture in rosml named 'x86_64'",
-        ),
-        (
-            "extends: rosml",
-            "extends: ours",
-            "1: extends: expected rosml: a set extends the matrix of the rosml that reads it",
-        ),
+        ("stacks:", "architectures:\n  x86_64:\nstacks:", "11: architectures.x86_64: no architecture in rosml named"),
+        ("extends: rosml", "extends: ours", "1: extends: expected rosml: a set extends the matrix of the rosml that "),
         ("  jazzy:", "  jazy:", "5: distributions.jazy: no distribution in rosml named 'jazy'; did you mean 'jazzy'?"),
         ("  cu130:", "  cu999:", "11: stacks.cu999: no stack in rosml named 'cu999'; "),
         ("  none:", "  nothing: {}", "8: frameworks.nothing: no framework in rosml named 'nothing'; "),
@@ -185,18 +171,10 @@ def test_where_a_sets_images_go(tmp_path: Path) -> None:
             "4: distribution: unknown key 'distribution'; did you mean 'distributions'?",
         ),
         ("lts: }", "ros: 3}", "6: distributions.humble.ros: expected 1 or 2, found the number 3"),
-        (
-            "lts: }",
-            "ros: 1, ros: 2}",
-            "6: distributions.humble.ros: the key 'ros' is there twice, first on line 6; keep one",
-        ),
+        ("lts: }", "ros: 1, ros: 2}", "6: distributions.humble.ros: the key 'ros' is there twice, first on line 6"),
         ("[jazzy-core]", "[jazy-core]", "3: default.group[0]: no image named 'jazy-core'; did you mean 'jazzy-core'"),
         ("stacks:\n  cu130:\n", "stacks: [cu130]\n", "10: stacks: it is a list; write each name on its own line"),
-        (
-            "frameworks:\n  none:\n  torch:\n",
-            "frameworks: 1\n",
-            "7: frameworks: expected keys and values, found the number 1",
-        ),
+        ("frameworks:\n  none:\n  torch:\n", "frameworks: 1\n", "7: frameworks: expected keys and values, found "),
         ("  humble: {", "  rolling: {os: , ", "6: distributions.rolling: 'os' is missing; add 'os: …'"),
         (
             "  torch:",
@@ -206,9 +184,9 @@ def test_where_a_sets_images_go(tmp_path: Path) -> None:
         ("registry:", "version: 2\nregistry:", "2: version: expected 1, found the number 2"),
     ],
 )
-def test_mistakes_have_their_line_in_the_sets_file(old: str, new: str, said: str, tmp_path: Path) -> None:
-    assert old in SET
-    assert problems(tmp_path, SET.replace(old, new, 1))[0].startswith(said)
+def test_mistakes_have_their_line_in_the_sets_file(line: str, replacement: str, problem: str, tmp_path: Path) -> None:
+    assert line in SET
+    assert problems(tmp_path, SET.replace(line, replacement, 1))[0].startswith(problem)
 
 
 @pytest.mark.parametrize(
@@ -268,10 +246,10 @@ def upstream(tmp_path: Path) -> Upstream:
 
 
 def written(folder: Path, real: ImageSet, upstream: Upstream) -> Path:
-    found = own_set.chosen(
+    choice = own_set.chosen(
         real, ["jazzy", "humble"], [], "registry.example.com/robots", "https://github.com/robots/images"
     )
-    for name, text in own_set.files(real, found, upstream).items():
+    for name, text in own_set.files(real, choice, upstream).items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
     (folder / own_set.COMMAND).chmod(0o755)
@@ -315,7 +293,7 @@ def test_a_call_leaves_files_that_another_one_reads(tmp_path: Path, real: ImageS
 
 
 @pytest.mark.parametrize(
-    ("broken", "said"),
+    ("broken", "message"),
     [
         ("no set", "error: there is no set.yaml in "),
         ("a branch", "error: the line commit= in rosml names no commit of rosml\nremedy: write all 40 digits"),
@@ -323,22 +301,22 @@ def test_a_call_leaves_files_that_another_one_reads(tmp_path: Path, real: ImageS
     ],
 )
 def test_the_sets_command_says_what_it_lacks(
-    broken: str, said: str, tmp_path: Path, real: ImageSet, upstream: Upstream
+    broken: str, message: str, tmp_path: Path, real: ImageSet, upstream: Upstream
 ) -> None:
     folder = written(tmp_path / "own", real, upstream)
     command = folder / own_set.COMMAND
     if broken == "no set":
         (folder / "set.yaml").rename(folder / "set.yml")
-    wanted = {"a branch": "main", "another commit": "1" * 40}.get(broken, upstream.commit)
-    command.write_text(command.read_text().replace(upstream.commit, wanted))
+    commit = {"a branch": "main", "another commit": "1" * 40}.get(broken, upstream.commit)
+    command.write_text(command.read_text().replace(upstream.commit, commit))
     done = subprocess.run([command, "list"], capture_output=True, text=True, check=False)
-    assert done.returncode == 1 and said in done.stderr and "\nremedy: " in done.stderr
+    assert done.returncode == 1 and message in done.stderr and "\nremedy: " in done.stderr
 
 
 def test_on_github_the_workflow_names_the_commit(tmp_path: Path, real: ImageSet, upstream: Upstream) -> None:
-    found = own_set.chosen(real, [], [], "ghcr.io/me/images", "")
+    choice = own_set.chosen(real, [], [], "ghcr.io/me/images", "")
     address = "https://github.com/rosml/rosml"
-    files = own_set.files(real, found, Upstream(address, upstream.commit))
+    files = own_set.files(real, choice, Upstream(address, upstream.commit))
     assert f"nightly.yml@{upstream.commit}\n" in files[own_set.WORKFLOW]
     assert upstream.commit not in files[own_set.COMMAND]
     for name, text in files.items():
@@ -353,18 +331,18 @@ def test_on_github_the_workflow_names_the_commit(tmp_path: Path, real: ImageSet,
 
 def test_a_new_set_is_what_it_says(tmp_path: Path, real: ImageSet, upstream: Upstream) -> None:
     folder = written(tmp_path / "own", real, upstream)
-    made = load.load(folder / "set.yaml", ROOT)
-    assert {image.distribution for image in made.images} == {"jazzy", "humble"}
-    assert {image.component for image in made.images} == {"core", "base", "core-run", "base-run"}
-    assert {image.framework for image in made.images} == {"none", "torch"}
-    assert {image.stack for image in made.images} == {None, "cu130", "cpu"}
-    assert made.matrix.default.targets == ("jazzy-base-torch-cu130",)
-    assert made.matrix.source == "https://github.com/robots/images"
+    image_set = load.load(folder / "set.yaml", ROOT)
+    assert {image.distribution for image in image_set.images} == {"jazzy", "humble"}
+    assert {image.component for image in image_set.images} == {"core", "base", "core-run", "base-run"}
+    assert {image.framework for image in image_set.images} == {"none", "torch"}
+    assert {image.stack for image in image_set.images} == {None, "cu130", "cpu"}
+    assert image_set.matrix.default.targets == ("jazzy-base-torch-cu130",)
+    assert image_set.matrix.source == "https://github.com/robots/images"
     assert not (folder / own_set.WORKFLOW).exists() and (folder / own_set.NIGHT).exists(), "rosml is not on GitHub"
 
 
 def test_each_command_of_a_night_reads_the_set(tmp_path: Path, real: ImageSet, upstream: Upstream) -> None:
-    """The script of a night with this rosml and a registry that lets nobody in: that is all that its commands lack, beside services."""
+    """With this rosml and a registry that lets nobody in: that is all that its commands lack, beside services."""
     folder = written(tmp_path / "own", real, upstream)
     skipped = 'case "$*" in setup*|"publish rosdep"*) exit ;; esac; echo "called $@" >&2'
     (folder / "rosml").write_text(f'#!/bin/sh\n{skipped}\nexec "{sys.executable}" "{ROOT}/src" "$@"\n')
@@ -375,9 +353,9 @@ def test_each_command_of_a_night_reads_the_set(tmp_path: Path, real: ImageSet, u
         (folder / "set.yaml").write_text(text)
         called = ["bash", str(folder / own_set.NIGHT)]
         done = subprocess.run(called, env=environment, capture_output=True, text=True, check=False)
-    said = done.stderr.splitlines()
-    errors = [line for line in said if line.startswith("error: ")]
-    assert done.returncode == 1 and len(errors) == sum(line.startswith("called ") for line in said) > 3, done.stderr
+    lines = done.stderr.splitlines()
+    errors = [line for line in lines if line.startswith("error: ")]
+    assert done.returncode == 1 and len(errors) == sum(line.startswith("called ") for line in lines) > 3, done.stderr
     lacks = [f"error: {server.address}: "]
     if not (ROOT / ".state/services.json").exists():
         lacks.append("error: the local registry and the builder are not up")
@@ -399,11 +377,11 @@ def test_every_distribution_and_framework_can_begin_a_set(tmp_path: Path, real: 
         for framework in real.matrix.frameworks:
             if not [it for it in real.images if (it.distribution, it.framework) == (distribution, framework)]:
                 continue
-            found = own_set.chosen(real, [distribution], [framework], "ghcr.io/robots/images", "")
-            text = own_set.files(real, found, Upstream("https://github.com/rosml/rosml", "0" * 40))["set.yaml"]
-            made = loaded(tmp_path, text)
-            assert {image.distribution for image in made.images} == {distribution}
-            assert made.image(found.image.target).framework == framework
+            choice = own_set.chosen(real, [distribution], [framework], "ghcr.io/robots/images", "")
+            text = own_set.files(real, choice, Upstream("https://github.com/rosml/rosml", "0" * 40))["set.yaml"]
+            image_set = loaded(tmp_path, text)
+            assert {image.distribution for image in image_set.images} == {distribution}
+            assert image_set.image(choice.image.target).framework == framework
 
 
 # ---- In CI -----------------------------------------------------------------------------------------------------------
@@ -423,8 +401,8 @@ def test_a_job_has_rosml_with_the_sets_files_over_it(tmp_path: Path, real: Image
     for arguments in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "a set"]):
         walk.git(folder, *arguments)
     assert complete(folder, Path(upstream.repository)).returncode == 0
-    said = subprocess.run(["./rosml", "plan"], cwd=folder, capture_output=True, text=True, check=True).stdout
-    assert said.splitlines()[0].startswith("# The images of this set") and said.endswith("ours\none\nplan\n")
+    out = subprocess.run(["./rosml", "plan"], cwd=folder, capture_output=True, text=True, check=True).stdout
+    assert out.splitlines()[0].startswith("# The images of this set") and out.endswith("ours\none\nplan\n")
     assert walk.git(folder, "status", "--porcelain", "--", "set.yaml", "components", "version") == ""
     assert walk.git(folder, "log", "--format=%s") == "a set\n"
 
@@ -442,7 +420,7 @@ def test_a_job_of_rosml_itself_is_left_alone_and_no_set_is_told(tmp_path: Path) 
 
 
 def test_a_fork_takes_what_rosml_changed(tmp_path: Path) -> None:
-    """By the commands of the page: a fork with a set, and a rosml whose matrix moved on."""
+    """By the commands of the page."""
     ours, fork = tmp_path / "rosml", tmp_path / "fork"
     ours.mkdir()
     walk.clone(ours)

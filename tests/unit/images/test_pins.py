@@ -8,16 +8,13 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from conftest import SMALL, parse
+from conftest import SMALL
 
 from fakes.http_registry import StandIn, standing_in
-from fakes.projects import copy
 from rosml.cli import command
 from rosml.cli.images import locks as script
-from rosml.images.bake.inputs import Inputs
-from rosml.images.image_set import locked
 from rosml.images.locks import base_digests
-from rosml.images.matrix import names, source
+from rosml.images.matrix import source
 from rosml.registry import oci
 from rosml.registry.client import Registry
 
@@ -28,8 +25,8 @@ BOTH = ("amd64", "arm64")
 
 @pytest.fixture
 def hub() -> Iterator[StandIn]:
-    with standing_in() as found:
-        yield found
+    with standing_in() as server:
+        yield server
 
 
 def push(
@@ -74,14 +71,14 @@ def test_what_moved_is_written_and_nothing_else(
     assert f"ubuntu-24.04: {hub.address}/library/ubuntu:24.04: would move from {OLD[:19]} to {new[:19]}" in done.out
     assert "2 base images are outdated" in done.err and "rosml locks --bases" in done.err
     assert run(matrix, "--bases", "--check", "--json") == 1
-    found = json.loads(capsys.readouterr().out)
-    assert found["base_images"][0] == {
+    data = json.loads(capsys.readouterr().out)
+    assert data["base_images"][0] == {
         "system": "ubuntu-24.04",
         "image": f"{hub.address}/library/ubuntu:24.04",
         "old": OLD,
         "new": new,
     }
-    assert len(found["base_images"]) == 2 and found["moved"] == found["changed"] == []
+    assert len(data["base_images"]) == 2 and data["moved"] == data["changed"] == []
     assert matrix.read_text() == before
     assert run(matrix, "--bases", "--report", str(tmp_path / "report.md")) == 0
     assert matrix.read_text() == before.replace(f"digest:  {OLD} # renewed", f"digest:  {new} # renewed").replace(
@@ -96,14 +93,15 @@ def test_what_moved_is_written_and_nothing_else(
 
 @pytest.mark.parametrize("style", ["{{image: {image}, digest: {digest}, {rest}}}", "\n    digest:\n      {digest}\n"])
 def test_however_it_is_written(style: str) -> None:
-    """A mapping on one line, whose image may have the old digest in its name; a value on a line of its own."""
     if style.startswith("{"):
         body = style.format(image="a.b/c:d", digest=OLD, rest="python: x")
         text = f"operating_systems:\n  one: {body}\n"
     else:
         text = "operating_systems:\n  one:" + style.format(digest=OLD)
-    found = base_digests.rewritten(text, source.parse(text.encode()), [base_digests.Pin("one", "a.b/c:d", OLD, OTHER)])
-    assert found == text.replace(OLD, OTHER)
+    text_after = base_digests.rewritten(
+        text, source.parse(text.encode()), [base_digests.Pin("one", "a.b/c:d", OLD, OTHER)]
+    )
+    assert text_after == text.replace(OLD, OTHER)
 
 
 @pytest.mark.parametrize(
@@ -139,26 +137,3 @@ def test_what_cannot_be_taken_stays_and_stops_no_other(
     done = capsys.readouterr()
     assert "ubuntu-24.04: its base image stays as it is" in done.err and says in done.err
     assert OLD in matrix.read_text() and cuda in matrix.read_text()
-
-
-def test_bases_alone(matrix: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(matrix, "--bases", "--upgrade") == 2
-    assert "leave --upgrade and --stack out" in capsys.readouterr().err
-
-
-def test_a_base_image_is_an_input_whoever_makes_it(tmp_path: Path) -> None:
-    """NVIDIA's as any other: all that stands on it, and what is assembled on it, is made anew; nothing else is."""
-    root = copy(tmp_path / "project")
-    text = SMALL.replace("docker.io/library/ubuntu:26.04", "nvcr.io/nvidia/cuda:13.0.2-runtime-ubuntu26.04")
-    moved = text.replace(OTHER, "sha256:" + "5" * 64)
-    assert moved != text
-    catalogues = [locked.with_locks(parse(content), frozenset()) for content in (text, moved)]
-    old, new = (Inputs(root, image_set) for image_set in catalogues)
-    changed = {image.target for image in catalogues[0].images if old.digests(image) != new.digests(image)}
-    stands = {image.target for image in catalogues[0].images if image.os == "ubuntu-26.04"}
-    assert stands and stands <= changed
-    core = next(image for image in catalogues[0].images if image.os == "ubuntu-24.04" and image.stack is None)
-    assert core.target not in changed
-    name = "base image nvcr.io/nvidia/cuda:13.0.2-runtime-ubuntu26.04"
-    target = names.os_target("ubuntu-26.04")
-    assert old.of(target, "amd64")[name] == OTHER != new.of(target, "amd64")[name]

@@ -32,7 +32,6 @@ ASSEMBLE = (ROOT / "components/part/assemble.sh").read_text()
 
 
 def wheel(name: str, version: str) -> tuple[str, bytes]:
-    """A wheel with one module: its file name and content."""
     stem, content = f"{name}-{version}", io.BytesIO()
     with zipfile.ZipFile(content, "w") as archive:
         archive.writestr(f"{name}/__init__.py", f"__version__ = '{version}'\n")
@@ -45,18 +44,17 @@ def wheel(name: str, version: str) -> tuple[str, bytes]:
 
 @dataclass
 class Index:
-    """The local replacement: its proxy's address, its CA, the hosts that were asked for wheels of PyTorch, and all that was asked."""
+    """The local replacement: its proxy's address, its CA, the hosts that were asked for wheels of PyTorch, and all requests."""
 
     folder: Path
     wheels: dict[str, tuple[str, bytes]]
     port: int = 0
-    asked: set[str] = field(default_factory=set)
+    torch_hosts: set[str] = field(default_factory=set)
     paths: list[tuple[str, str]] = field(default_factory=list)
     lock: threading.Lock = field(default_factory=threading.Lock)
 
     @property
     def environment(self) -> dict[str, str]:
-        """What makes a program use it."""
         address = f"http://127.0.0.1:{self.port}"
         kept = {key: value for key, value in os.environ.items() if not key.upper().endswith("_PROXY")}
         ours = {"HTTPS_PROXY": address, "SSL_CERT_FILE": str(self.folder / "ca.pem"), "UV_NO_CACHE": "1"}
@@ -66,7 +64,6 @@ class Index:
         subprocess.run(["openssl", *arguments], cwd=self.folder, capture_output=True, check=True)
 
     def certificate(self, host: str) -> ssl.SSLContext:
-        """A context with a certificate for a host."""
         name = hashlib.sha256(host.encode()).hexdigest()[:12]
         if not (self.folder / f"{name}.pem").exists():
             self.openssl("req", "-newkey", "rsa:2048", "-nodes", "-keyout", f"{name}.key", "-out", f"{name}.csr", "-subj", "/CN=local replacement")  # fmt: skip
@@ -88,7 +85,7 @@ class Index:
                     path = _head(inside).split()[1]
                     self.paths.append((host, path))
                     if "torch" in path:
-                        self.asked.add(host)
+                        self.torch_hosts.add(host)
                     status, body = self.answer(path)
                     kind = "text/html" if path.endswith("/") else "application/octet-stream"
                     head = f"HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {len(body)}\r\nConnection: close\r\n\r\n"
@@ -139,9 +136,9 @@ def index(tmp_path: Path) -> Iterator[Index]:
 
 @pytest.fixture
 def uv() -> str:
-    found = shutil.which("uv", path=f"{ROOT}/.state/bin:{os.environ['PATH']}")
-    assert found, "the set-up of every test command installs uv"
-    return found
+    program = shutil.which("uv", path=f"{ROOT}/.state/bin:{os.environ['PATH']}")
+    assert program, "the set-up of every test command installs uv"
+    return program
 
 
 REQUEST = Request(
@@ -166,11 +163,11 @@ def test_a_lock_of_a_wheel_that_is_there_alone_can_be_made_and_installed(
     assert [(pin.name, pin.version, pin.hashes) for pin in pins if pin.name == "torch"] == [
         ("torch", "2.10.0+cpu", (f"sha256:{digest}",))
     ]
-    assert len(index.asked) == 1, "one index, known to uv"
+    assert len(index.torch_hosts) == 1, "one index, known to uv"
 
     text = lock.render(REQUEST, "torch", lock.split(pins, REQUEST.roots, REQUEST.parts)["torch"])
     (tmp_path / "torch.txt").write_text(text)
-    assert not any(host in text for host in index.asked)
+    assert not any(host in text for host in index.torch_hosts)
     # The line of the assembly that decides where wheels come from, and the call that follows it.
     choose = next(line for line in ASSEMBLE.splitlines() if "UV_TORCH_BACKEND" in line)
     install = f'{choose}; "{uv}" pip install --no-deps --require-hashes --only-binary :all: --target out --requirement "$LOCK"'
@@ -195,7 +192,6 @@ def test_an_index_that_does_not_answer(uv: str, monkeypatch: pytest.MonkeyPatch,
 
 
 def test_an_index_without_the_wheel(uv: str, monkeypatch: pytest.MonkeyPatch, index: Index) -> None:
-    """It answers: that is another failure than one that does not."""
     index.wheels["torch"] = wheel("torch", "2.9.0+cpu")
     for key, value in index.environment.items():
         monkeypatch.setenv(key, value)
@@ -216,7 +212,6 @@ OF_ANOTHER = replace(
 
 @pytest.fixture
 def another(index: Index, monkeypatch: pytest.MonkeyPatch) -> Index:
-    """The local replacement as an index of somebody's own, and as the usual one."""
     index.wheels |= {"mine": wheel("mine", "1.0"), "mine-libs": wheel("mine_libs", "1.0")}
     for key, value in index.environment.items():
         monkeypatch.setenv(key, value)
@@ -231,12 +226,12 @@ def test_another_index_is_asked_for_its_packages_alone(another: Index, uv: str) 
     assert {host for host, path in another.paths if "mine" in path} == {"pypi.example.com"} != {usual}
 
 
-@pytest.mark.parametrize("there", [None, ("mine_libs-1.0.tar.gz", b""), wheel("mine_libs", "0.9")])
-def test_another_index_without_a_wheel_is_named(another: Index, uv: str, there: tuple[str, bytes] | None) -> None:
-    """Nothing of that name, a source package in its place, as the usual index has for wheels of NVIDIA's, or another version."""
+@pytest.mark.parametrize("replacement", [None, ("mine_libs-1.0.tar.gz", b""), wheel("mine_libs", "0.9")])
+def test_another_index_without_a_wheel_is_named(another: Index, uv: str, replacement: tuple[str, bytes] | None) -> None:
+    """A source package in its place is none: the usual index has such for wheels of NVIDIA's."""
     del another.wheels["mine-libs"]
-    if there:
-        another.wheels["mine-libs"] = there
+    if replacement:
+        another.wheels["mine-libs"] = replacement
     with pytest.raises(RosmlError, match="does not resolve") as caught:
         resolve.resolve(OF_ANOTHER, Uv(uv))
     assert f"put the wheel of mine-libs on {MINE}" in caught.value.remedy
