@@ -359,19 +359,15 @@ def to_json(changes: Changes) -> str:
 
 
 def pull_request(changes: Changes) -> str:
-    text = markdown(changes.moved, changes.new, changes.left_out) + (base_table(changes.bases) if changes.bases else "")
+    text = github.table(COLUMNS, rows_of(changes.moved)) if changes.moved else "No version moved.\n"
+    lines = [f"- new: `{path}`" for path in changes.new]
+    lines += [f"- {request}: no new lock: {reason}" for request, reason in changes.left_out.items()]
+    text += "\n" + "\n".join(lines) + "\n" if lines else ""
+    text += base_table(changes.bases) if changes.bases else ""
     if changes.differing:
-        lines = "".join(f"- {item}\n" for item in changes.differing)
-        text += f"\nImages with these parts will fail their tests; {UNSHARED}:\n\n{lines}"
+        items = "".join(f"- {item}\n" for item in changes.differing)
+        text += f"\nImages with these parts will fail their tests; {UNSHARED}:\n\n{items}"
     return text + refused_table(changes.refused, changes.refused_unknown)
-
-
-def markdown(moved: Mapping[Move, int], new: Sequence[str], left_out: Mapping[str, str]) -> str:
-    """The table of versions, new locks, and what got no new lock, with the reason."""
-    text = github.table(COLUMNS, rows_of(moved)) if moved else "No version moved.\n"
-    lines = [f"- new: `{path}`" for path in new]
-    lines += [f"- {request}: no new lock: {reason}" for request, reason in left_out.items()]
-    return text + ("\n" + "\n".join(lines) + "\n" if lines else "")
 
 
 def rows_of(moved: Mapping[Move, int]) -> list[tuple[str, ...]]:

@@ -1,6 +1,6 @@
 """An image set -> its bake targets as plain data.
 
-`bake_file` writes them for buildx. tests/unit/images/test_targets.py compares buildx's reading of that file with these, for every
+`bake_file` writes them for buildx. tests/unit/images/bake/test_targets.py compares buildx's reading of that file with these, for every
 target and all variables of the bake file.
 """
 

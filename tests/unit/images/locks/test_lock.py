@@ -268,7 +268,7 @@ def test_what_goes_with_a_release_may_be_in_another_part(name: str, version: str
 
 
 def test_a_release_of_another_index(tmp_path: Path) -> None:
-    """Locks ask it, and so do the builds of those parts whose packages it has. tests/unit/images/test_pytorch_index.py calls uv."""
+    """Locks ask it, and so do the builds of those parts whose packages it has. tests/unit/images/locks/test_pytorch_index.py calls uv."""
     image_set = parse(TAKEN)
     items = [item for item in requests.requests(image_set) if "torch" in item.roots]
     address = "https://pypi.example.com/simple"
@@ -556,7 +556,7 @@ def checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setattr(script, "ROOT", tmp_path)
     monkeypatch.setattr(signal, "signal", lambda *_: None)  # a test run keeps its own
     monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
-    monkeypatch.setenv("ROSML_DOCKER_HUB", "0")  # nobody is asked for base images: tests/unit/images/test_pins.py
+    monkeypatch.setenv("ROSML_DOCKER_HUB", "0")  # nobody is asked for base images: tests/unit/images/locks/test_pins.py
     fake_uv(tmp_path)
     (tmp_path / "matrix.yaml").write_text(SMALL)
     return tmp_path
