@@ -81,10 +81,9 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
 
 
 def write(contents: dict[Path, str], lost: RosmlError | None = None, within: Path | None = None) -> None:
-    """Writes the files that changed.
+    """Writes the files that changed, and warns of lost locks: images without locks are in no group.
 
     Args:
-        lost: a warning about missing locks; images without locks are in no group.
         within: the folder that links may not lead out of; None for a file that the user named.
     """
     changed = files.write_all(contents, within)
@@ -95,11 +94,7 @@ def write(contents: dict[Path, str], lost: RosmlError | None = None, within: Pat
 
 
 def verify(contents: dict[Path, str], lost: RosmlError | None) -> None:
-    """Compares the files with what would be generated.
-
-    Raises:
-        RosmlError: a file is stale; or locks are lost, because a commit after 'rosml generate' would include the loss.
-    """
+    """Compares the files with what would be generated. Lost locks are an error too: a commit after 'rosml generate' would include the loss."""
     differences = {file: files.difference(file, content) for file, content in contents.items()}
     stale = [files.shown(file) for file, text in differences.items() if text]
     terminal.echo("".join(differences.values()), nl=False)

@@ -51,17 +51,14 @@ class Call:
 
 @dataclass(frozen=True)
 class Changes:
-    """What a call changed, or would change.
+    """What a call changed, or would change: paths of locks, and those of them that are new.
 
     Attributes:
         moved: versions, and how many locks have each.
-        changed: paths of locks.
-        new: those of them that did not exist.
         left_out: requests that got no new lock, with the reason.
         bases: base images, if the call looked at them.
         differing: wheels whose files differ from those of a part for every Python.
-        refused: versions that the scan will stop.
-        refused_unknown: why these are not known.
+        refused: versions that the scan will stop; `refused_unknown` is why these are not known.
     """
 
     moved: Mapping[Move, int] = field(default_factory=dict)
@@ -173,10 +170,10 @@ def update_locks(image_set: ImageSet, call: Call) -> None:
     present = {path for path in locked.locks(ROOT) if not call.stacks or path.split("/")[1] in call.stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in present & locks.texts.keys()}
     outdated = {path: text for path, text in sorted(locks.texts.items()) if earlier.get(path) != text}
-    own = own_of(ROOT)
+    folder = own_of(ROOT)
     for path, text in () if call.check else outdated.items():
-        (own / path).parent.mkdir(parents=True, exist_ok=True)
-        files.write(own / path, text, within=own)
+        (folder / path).parent.mkdir(parents=True, exist_ok=True)
+        files.write(folder / path, text, within=folder)
     for path in outdated:  # after all is written: the reader of a pipe may stop reading
         terminal.echo(f"{path}: {'would change' if call.check else 'written'}", err=call.as_json)
     moved = moves(earlier, {path: text for path, text in outdated.items() if path in earlier})
@@ -188,7 +185,7 @@ def update_locks(image_set: ImageSet, call: Call) -> None:
     if call.report:
         newer = upstream_text(newer_releases(image_set, call.stacks)) if call.upgrade else ""
         files.write(call.report, pull_request(changes) + newer)
-    for path in sorted(locked.locks(own) & present - locks.texts.keys()):
+    for path in sorted(locked.locks(folder) & present - locks.texts.keys()):
         terminal.echo(f"{path}: belongs to nothing in {call.matrix.name}; delete it", err=call.as_json)
     warn(changes)
     word = "outdated" if call.check else "changed"
@@ -264,11 +261,7 @@ def judged(image_set: ImageSet, texts: Mapping[str, str]) -> tuple[list[Refused]
 
 
 def write_installs(matrix: Path) -> None:
-    """Writes which releases people get of packages that they install, as data and as a page.
-
-    Raises:
-        RosmlError: constraints force older releases than necessary.
-    """
+    """Writes which releases people get of packages that they install, as data and as a page."""
     from rosml.images.image_set import load
     from rosml.images.locks import installs
 

@@ -25,11 +25,9 @@ EDIT = f"edit {own_set.SET} afterwards"
 
 @dataclass(frozen=True)
 class Wishes:
-    """What the user wants in the set.
+    """What the user wants in the set. Names in the matrix are the usual ones if empty.
 
     Attributes:
-        distributions, frameworks: names in the matrix; the usual ones if empty.
-        registry: where images go.
         rosml: the address of rosml's repository; empty if it is the one that this rosml is from.
         accelerator: `cuda` or `cpu`; both if empty.
     """
@@ -42,11 +40,7 @@ class Wishes:
 
 
 def begin(folder: Path, wishes: Wishes, dry_run: bool, as_json: bool) -> None:
-    """Writes the files that are missing in the folder, and prints what to call next.
-
-    Raises:
-        RosmlError: there is no registry or no address, or the matrix has no such images (exit code 2).
-    """
+    """Writes the files that are missing in the folder, and prints what to call next."""
     from rosml.containerize.init import folder as folders
 
     if not wishes.registry:
@@ -83,11 +77,7 @@ def begin(folder: Path, wishes: Wishes, dry_run: bool, as_json: bool) -> None:
 
 
 def _upstream(repository: str) -> Upstream:
-    """The repository and commit of this rosml: those of the checkout, or of what it was installed from.
-
-    Args:
-        repository: another address, or a folder; empty if the user names none.
-    """
+    """The repository and commit of this rosml. `repository` is the user's own address or folder of it; empty if none."""
     address, commit = _installed_from()
     if IN_CHECKOUT:
         head = git.commit(ROOT)

@@ -31,11 +31,9 @@ class Change:
 
 @dataclass(frozen=True)
 class Difference:
-    """Two versions of the project.
+    """Two versions of the project: targets of images, and the reasons of each changed one.
 
     Attributes:
-        added, removed: targets of images.
-        changed: the reasons of each changed image.
         same: the number of unchanged images.
         tags: the old and the new target of tags that moved between images, or that an image on both sides gained (None
             before) or lost (None now).

@@ -98,11 +98,7 @@ class Inputs:
         return StructureTests({path.relative_to(folder).as_posix(): _text(path) for path in paths})
 
     def check(self, things: Iterable[Image | Part] | None = None) -> None:
-        """Checks that images and parts, all if None, can be built and tested once their locks exist.
-
-        Raises:
-            RosmlError: a file from which a target is built, or one of structure tests, is missing.
-        """
+        """Checks that images and parts, all if None, can be built and tested once their locks exist."""
         checked = [*(things if things is not None else (*self.image_set.parts, *self.image_set.images))]
         if gone := self._gone(checked):
             text = f"{listed(gone)}: not there, and the Dockerfile builds parts or images from it"
@@ -194,11 +190,8 @@ def _facts(values: Mapping[str, Value], where: str) -> dict[str, str]:
 
 
 def _fact(value: Value, where: str) -> str:
-    """The fact of the image set that decides a value; empty if the value is no input.
-
-    Raises:
-        RosmlError: the value is not declared. As no input, it would change an image without a new digest.
-    """
+    """The fact of the image set that decides a value; empty if the value is no input. An undeclared value is an error: it would change
+    an image without a new digest."""
     if isinstance(value, str):
         return value
     if isinstance(value, Overridable):

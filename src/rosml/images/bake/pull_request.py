@@ -12,13 +12,7 @@ from rosml.images.image_set.model import Image, ImageSet
 
 @dataclass(frozen=True)
 class Choice:
-    """The images that a change reaches.
-
-    Attributes:
-        built, left_out: targets.
-        unlocked: the number of further images without a lock.
-        elsewhere: the number of further images for other architectures only.
-    """
+    """Targets that a change reaches, and how many further ones have no lock, or are for other architectures."""
 
     built: tuple[str, ...]
     left_out: tuple[str, ...]

@@ -38,13 +38,7 @@ class Overridable:
 
 @dataclass(frozen=True)
 class Dependency:
-    """A context: another target, or its image in the registry if DIGESTS names that.
-
-    Attributes:
-        target: the target, which is built by default.
-        name: the key in DIGESTS; empty if the target is always built.
-        repository: the repository of the image, without the registry.
-    """
+    """A context: another target, or its image in the registry if DIGESTS has `name`. Without a name, the target is always built."""
 
     target: str
     name: str = ""
@@ -95,13 +89,7 @@ def root_variable(part: str) -> str:
 
 @dataclass(frozen=True)
 class Target:
-    """A target for buildx.
-
-    Attributes:
-        stage: its stage of the Dockerfile; empty if it joins parts.
-        platforms: all its platforms; empty for the builder's own.
-        tags: `repository:tag` without the registry.
-    """
+    """A target for buildx. One without a stage joins parts, one without platforms is for the builder's own. Tags have no registry."""
 
     stage: str
     contexts: Mapping[str, Context]

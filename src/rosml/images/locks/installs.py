@@ -47,12 +47,7 @@ BEGIN, END = "<!-- installs: written by 'rosml locks --installs' -->\n", "<!-- /
 
 @dataclass(frozen=True, order=True)
 class Environment:
-    """The Python of images. Images with the same stack and version of Python differ in it only by the frameworks.
-
-    Attributes:
-        framework: the framework with the most parts, as in the matrix.
-        architecture: the first architecture of the images.
-    """
+    """The Python of images with one stack. `framework` is the one with the most parts, `architecture` the images' first."""
 
     framework: str
     stack: str
@@ -97,24 +92,20 @@ def _slots(image_set: ImageSet, framework: str) -> list[str]:
 
 
 def look(
-    image_set: ImageSet,
-    root: Path,
-    uv: str = "uv",
-    stacks: Sequence[str] = (),
-    say: Callable[[str], None] = lambda line: None,
+    image_set: ImageSet, root: Path, uv: str = "uv", say: Callable[[str], None] = lambda line: None
 ) -> dict[Environment, list[Resolved]]:
     """The releases that people get in every environment."""
-    chosen = [item for item in environments(image_set) if not stacks or item.stack in stacks]
+    everywhere = environments(image_set)
     resolved: dict[Environment, list[Resolved]] = {}
     with web.client(timeout=60) as client:
         index = Index(Uv(uv), client)
         newest = cache(lambda *about: _version(*index.resolve(WheelTarget(*about[:2]), [about[2]]), about[2])[0])
-        for environment in progress_bar.over(chosen, "environments", len(chosen)):
+        for environment in progress_bar.over(everywhere, "environments", len(everywhere)):
             where = _wheels(image_set, environment)
             lines = constraints(image_set, root, environment, index)
             ask = partial(of_package, index, where, lines, newest=newest)
             resolved[environment] = side_by_side(ask, PACKAGES, WORKERS)
-            say(f"[{len(resolved)} of {len(chosen)}] {words(environment)}")
+            say(f"[{len(resolved)} of {len(everywhere)}] {words(environment)}")
     return resolved
 
 

@@ -120,13 +120,8 @@ def lock(
 
     Args:
         root: the project's root, which has the earlier locks.
-        uv: the command of uv.
         upgrade: take the newest versions that fit; otherwise an earlier lock's versions stay if they fit.
-        say: gets messages, a line each: the whole work takes minutes.
         stacks: only these stacks; all if empty.
-
-    Raises:
-        RosmlError: something does not resolve, or two Python versions of a stack need different versions of a common part.
     """
     chosen = [request for request in requests(image_set) if not stacks or request.stack in stacks]
     run = Uv(uv)
@@ -203,11 +198,7 @@ def _python(request: Request, part: str) -> str:
 
 
 def _merged(path: str, pins: Mapping[str, Pin], new_pins: Sequence[Pin]) -> dict[str, Pin]:
-    """The pins of two resolutions for a common part: CUDA for all Pythons, numpy if frameworks are resolved apart.
-
-    Raises:
-        RosmlError: they need different versions of a package.
-    """
+    """The pins of two resolutions for a common part, which must agree: CUDA for all Pythons, numpy if frameworks are resolved apart."""
     merged = dict(pins)
     for pin in new_pins:
         other = merged.setdefault(pin.name, pin)

@@ -15,10 +15,9 @@ from rosml.images.matrix.rules import NVIDIA
 
 @dataclass(frozen=True)
 class Elsewhere:
-    """A framework whose wheel only PyTorch's own index has.
+    """A framework whose wheel only PyTorch's own index has, such as `torch==2.10.0+cpu`.
 
     Attributes:
-        requirement: the wheel with its local version, e.g. ``torch==2.10.0+cpu``.
         digest: its published sha256; empty if we have to ask that index.
         requires: the wheel's requirements, which the Python package index has.
     """
@@ -33,18 +32,15 @@ class Request:
     """A request: a stack, or the wheels of a distribution, for one Python version on one architecture.
 
     Attributes:
-        stack: the name of the stack, e.g. ``cu128``, or of the distribution.
-        wheels: uv's name of the wheel platform, e.g. ``x86_64-manylinux_2_28``.
-        roots: the requirement of each framework, e.g. ``{"torch": "torch==2.10.0"}``; for ROS, each package's own.
-        ros: whether it is for a distribution.
-        numpy: the version specifier that keeps the ABI of the operating system's own numpy, e.g. ``<2``.
+        stack: the name of the stack, e.g. `cu128`, or of the distribution.
+        wheels: uv's name of the wheel platform, e.g. `x86_64-manylinux_2_28`.
+        roots: the requirement of each framework, e.g. `{"torch": "torch==2.10.0"}`; for ROS, each package's own.
+        numpy: the version specifier that keeps the ABI of the operating system's own numpy, e.g. `<2`.
         added: requirements of packages that parts have although no framework asks for them.
         provided: packages of the operating system that the part must not have, with their versions.
-        cuda: the stack's versions of ``cuda``, ``cudnn`` and ``nccl``; empty for a stack without CUDA.
-        parts: the parts that get the packages; none for ROS.
+        cuda: the stack's versions of `cuda`, `cudnn` and `nccl`; empty for a stack without CUDA.
         beside: requirements of the packages that go with each framework.
-        adapted: requirements of each framework that replace its wheel's, as lines of locks.
-        overrides: the same as requirements.
+        adapted: requirements of each framework that replace its wheel's, as lines of locks; `overrides` has the same for uv.
         indexes: packages that come from another index than the usual one, and the address of that index.
     """
 

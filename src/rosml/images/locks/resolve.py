@@ -28,15 +28,11 @@ class Pin:
 
 
 def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") -> list[Pin]:
-    """Resolves a request with ``uv pip compile``.
+    """Resolves a request with `uv pip compile`.
 
     Args:
-        upgrade: take the newest versions that fit; otherwise keep those of ``previous`` if they still fit.
+        upgrade: take the newest versions that fit; otherwise keep those of `previous` if they still fit.
         previous: the requirements of an earlier lock.
-
-    Raises:
-        Unreachable: only PyTorch's own index knows a wheel, and it does not answer.
-        RosmlError: uv is missing, an index does not answer, or the requirements contradict each other.
     """
     with tempfile.TemporaryDirectory() as folder:
         base = Path(folder)
@@ -181,11 +177,7 @@ def parse(requirements: str) -> list[Pin]:
 
 
 def require_one_cuda(request: Request, pins: list[Pin]) -> None:
-    """Checks that NVIDIA's packages are those of the stack: one CUDA, the promised one.
-
-    Raises:
-        RosmlError: a package is of another CUDA generation, or has another version than the stack's facts.
-    """
+    """Checks that NVIDIA's packages are of the stack's CUDA generation, and have the versions of its facts."""
     nvidia = {pin.name: pin.version for pin in pins if pin.name.startswith("nvidia-")}
     major = request.cuda.get("cuda", "").split(".")[0]
     wrong = {name: f"{name} {version}" for name, version in nvidia.items() if not _of_generation(name, major)}

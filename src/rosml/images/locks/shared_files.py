@@ -30,9 +30,7 @@ class Difference:
     Attributes:
         part: the part's entry in the matrix, such as `tensorflow-cc`.
         package: the package with its version, such as `tensorflow-cpu==2.21.0`.
-        built_from: the Python whose wheel the part is taken from.
-        python: the Python whose wheel differs.
-        files: paths in the wheels, sorted.
+        built_from: the Python whose wheel the part is taken from; the wheel for `python` differs.
     """
 
     part: str
@@ -57,7 +55,6 @@ def differences(
 
     Args:
         root: the project's root, whose `components/` say what parts have of their wheels.
-        texts: the locks, by path.
         stacks: only these stacks; all if empty.
     """
 

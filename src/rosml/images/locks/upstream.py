@@ -24,15 +24,12 @@ from rosml.images.locks.uv import Uv, compile_command
 
 @dataclass(frozen=True, order=True)
 class Newer:
-    """A newer release than a stack's.
+    """A newer release than a stack's, for some versions of Python.
 
     Attributes:
-        ours: the version in the matrix.
-        newest: the version on the index.
         since: the day of its wheel, such as 2026-10-28; empty if the index does not tell.
         held_by: the reason why the stack cannot have it; empty if it can.
         elsewhere: stacks of the same accelerator that have it.
-        pythons: versions of Python, such as 3.12, for which this is true.
     """
 
     stack: str

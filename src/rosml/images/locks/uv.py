@@ -36,11 +36,7 @@ class Uv:
         self._lock = threading.Lock()
 
     def __call__(self, arguments: Sequence[str], folder: Path) -> tuple[int, str]:
-        """Runs uv in a folder. Returns its exit status and its standard error.
-
-        Raises:
-            RosmlError: uv is not installed, or `end` was called.
-        """
+        """Runs uv in a folder. Returns its exit status and its standard error."""
         command = [self.command, *arguments]
         environment = {name: value for name, value in os.environ.items() if name not in _CHANGING}
         pipe = subprocess.PIPE
