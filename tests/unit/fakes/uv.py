@@ -1,4 +1,4 @@
-"""A local replacement for uv: a shell script that records what it is told, and resolves everything to the same."""
+"""A local replacement for uv: a shell script that records its calls, and resolves everything to the same."""
 
 from __future__ import annotations
 

@@ -592,33 +592,27 @@ def test_check_says_what_would_change(checkout: Path, capsys: pytest.CaptureFixt
 
 
 @pytest.mark.parametrize(
-    ("words", "moved", "numpy", "outdated", "remedy"),
+    ("words", "moved", "numpy", "message"),
     [
-        ("--upgrade", 1, "1.26.4", "1 base image is", "'rosml locks --upgrade', then 'rosml generate'"),
-        ("--upgrade", 2, "1.26.5", "2 base images and 4 locks are", "'rosml locks --upgrade', then"),
-        ("--upgrade", 0, "1.26.5", "4 locks are", "'rosml locks --upgrade' and commit the result"),
-        ("--bases", 2, "1.26.4", "2 base images are", "'rosml locks --bases', then 'rosml generate'"),
-        ("--upgrade --stack cpu", 0, "1.26.5", "2 locks are", "'rosml locks --upgrade --stack cpu' and"),
+        ("--upgrade", 1, "1.26.4", "1 base image is outdated: 'rosml locks --upgrade', then 'rosml generate'"),
+        ("--upgrade", 2, "1.26.5", "2 base images and 4 locks are outdated: 'rosml locks --upgrade', then"),
+        ("--upgrade", 0, "1.26.5", "4 locks are outdated: 'rosml locks --upgrade' and commit the result"),
+        ("--bases", 2, "1.26.4", "2 base images are outdated: 'rosml locks --bases', then 'rosml generate'"),
+        ("--upgrade --stack cpu", 0, "1.26.5", "2 locks are outdated: 'rosml locks --upgrade --stack cpu' and"),
     ],
 )
 def test_check_names_what_is_stale_and_the_command_that_writes_it(
-    checkout: Path,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-    words: str,
-    moved: int,
-    numpy: str,
-    outdated: str,
-    remedy: str,
+    words: str, moved: int, numpy: str, message: str, checkout: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run(checkout)
     fake_uv(checkout, resolved=RESOLVED.replace("numpy==1.26.4", f"numpy=={numpy}"))
     pins = [base_digests.Pin(f"system-{number}", "image:tag", "old", "new") for number in range(moved)]
     monkeypatch.setattr(base_digests, "look", lambda *_: base_digests.Pins(pins))
-    capsys.readouterr()
-    assert run(checkout, *words.split(), "--check") == 1
-    error = capsys.readouterr().err.partition("error: ")[2]
-    assert error.startswith(f"{outdated} outdated\nremedy: run {remedy}"), error
+    arguments = ["--matrix", str(checkout / "matrix.yaml"), *words.split(), "--check"]
+    with pytest.raises(RosmlError) as caught:
+        script.main.main(arguments, standalone_mode=False)
+    assert caught.value.exit_code == 1
+    assert f"{caught.value.message}: {caught.value.remedy}".replace(": run ", ": ").startswith(message)
 
 
 @pytest.mark.parametrize(
