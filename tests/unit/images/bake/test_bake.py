@@ -371,9 +371,9 @@ def test_a_mirror_is_a_secret(small_bake: Path) -> None:
 
 def test_where_packages_come_from(real: ImageSet) -> None:
     """Every row with an apt source names its suite; the live ones the pinned package."""
-    found = targets.of(real)
+    all_targets = targets.of(real)
     for name, distribution in real.matrix.distributions.items():
-        args = found[f"{name}-core"].arguments
+        args = all_targets[f"{name}-core"].arguments
         if distribution.apt is None:
             assert "ROS_CHANNEL" not in args
             continue
