@@ -68,6 +68,12 @@ WRONG = {
         "  on:",
         '49:3: distributions.on: YAML reads the key on as true or false; write it in quotes: "on"',
     ),
+    "password of an index": (
+        "    2.20.0: {python",
+        "    2.20.0: {index: 'https://me:secret@packages.test/simple', python",
+        "40:14: releases.tensorflow.2.20.0.index: expected the address of a Python package index without a password, such as"
+        " https://packages.example.org/simple, found 'https://me:secret@packages.test/simple'",
+    ),
     "true for one": (
         "version: 1",
         "version: true",
