@@ -483,7 +483,6 @@ class Matrix(Facts):
         )
 
     def release(self, stack: str, family: str) -> Release:
-        """The release that a stack has of something."""
         return self.releases[family][self.stacks[stack].releases[family]]
 
     def needed(self, parts: Iterable[str]) -> set[str]:
