@@ -183,7 +183,7 @@ class Bench:
 
         with counting.on(), Rebaser(self.services, registries) as rebaser:
             entries = [Entry(app=f"{self.services.registry}/{name}:latest") for name in names]
-            moves = Fleet(rebaser, now(), nothing, nothing, with_sbom=False).run(entries)
+            moves = Fleet(rebaser, now(), nothing, with_sbom=False).run(entries)
         seconds, states = time.monotonic() - started, dict[str, int]()
         for item in moves:
             states[item.state] = states.get(item.state, 0) + 1

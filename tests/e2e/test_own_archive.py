@@ -15,7 +15,6 @@ import pytest
 
 from rosml import ROOT
 from rosml.containerize.ci import files as ci_files
-from rosml.containerize.ci import inputs_page as page
 from rosml.images.bake import targets
 from rosml.images.builds import base_images
 from rosml.images.image_set import load
@@ -83,7 +82,6 @@ def test_the_page_is_followed_to_an_image(
         "docs/tags.md",
         "docs/images/layers.svg",
         "docs/images/rebase.svg",
-        *page.PAGES,
         *ci_files.FILES,
     ):
         (checkout / name).parent.mkdir(parents=True, exist_ok=True)

@@ -90,7 +90,7 @@ def test_requests_of_an_app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
             place.base(base_facts=changed(BASE_FACTS, packages=[package("python3", version)]), files=("usr/bin/new",))
             place.server.requests.clear()
             with Registries() as registries, Rebaser(place.services, registries, place.messages.append) as rebaser:
-                moved = Fleet(rebaser, now(), lambda *_: None, lambda *_: None).run([Entry(app=app) for app in apps])
+                moved = Fleet(rebaser, now(), lambda *_: None).run([Entry(app=app) for app in apps])
             assert {outcome.state for outcome in moved} == {"moved"}
             return list(place.server.requests)
 

@@ -39,11 +39,11 @@ from rosml.containerize.base_image import rosdep_index
 from rosml.containerize.build import attachments as contents
 from rosml.containerize.build import dev_folder, junit, report
 from rosml.containerize.ci import job as ci_job
+from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.init import folder as init_folder
 from rosml.containerize.init import forge, packages
 from rosml.containerize.packages import workspace
 from rosml.containerize.packages.conditions import holds
-from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.rebase import compatibility, fleet, image, trial
 from rosml.containerize.rebase.attachments import BaseContents
 from rosml.containerize.sources import repos_file, tree, versions

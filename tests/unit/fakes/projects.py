@@ -9,7 +9,6 @@ import sys
 from pathlib import Path
 
 from rosml.containerize.ci import files as ci_files
-from rosml.containerize.ci import inputs_page as page
 from rosml.images.bake import bake_file
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -58,7 +57,6 @@ def copy_for_generator(folder: Path) -> Path:
         "docs/licences.md",
         "docs/images/layers.svg",
         "docs/images/rebase.svg",
-        *page.PAGES,
         *ci_files.FILES,
     ):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)

@@ -138,18 +138,12 @@ def _begin(call: Call, folder: Path) -> None:
     first = folders.compared(folder, file_texts.texts(project))
     if not call.dry_run:
         folders.write(folder, first)
+    unconfirmed = (UNCONFIRMED.format(proposed), f"--registry {proposed}, if you trust it")
     notes = [
         *_guessed(project, address, first),
-        *(
-            [(UNCONFIRMED.format(proposed), f"--registry {proposed}, if you trust it")]
-            if proposed and not place
-            else []
-        ),
+        *([unconfirmed] if proposed and not place else []),
         *decision.notes,
-        *([broken] if broken else _lacking(env, first, project)),
-        *_kept(folder, first, project),
-        *_secrets(project),
-        *_about_folder(folder, project),
+        *_about_files(folder, env, broken, first, project),
     ]
     for message, remedy in notes:
         warn(message, remedy)
@@ -295,42 +289,31 @@ def _registry_of(env: Mapping[str, str], image_set: ImageSet) -> str:
         return ""
 
 
-def _secrets(project: Project) -> Iterator[Note]:
-    """CI logs in to another registry than the forge's by a password that only people have."""
-    from rosml.containerize.init.file_texts import other_registry
+def _about_files(
+    folder: Path, env: Mapping[str, str], broken: Note | None, first: Sequence[File], project: Project
+) -> Iterator[Note]:
+    """What the files that stay do not say, and what else a build of them needs."""
+    from rosml.containerize.init import file_texts
+    from rosml.containerize.init import folder as folders
 
-    if host := other_registry(project):
-        yield (
-            f"CI logs in to {host} alone, with REGISTRY_USER and REGISTRY_PASSWORD",
-            f"make these {'secrets' if project.forge == 'github' else 'masked variables'} in the repository's settings",
-        )
-
-
-def _lacking(env: Mapping[str, str], first: Sequence[File], project: Project) -> Iterator[Note]:
-    from rosml.containerize import inputs as app_inputs
-    from rosml.containerize.init.file_texts import assigned, variables
-
-    if any(file.path == app_inputs.FILE and file.exists for file in first):
+    if broken:
+        yield broken
+    elif any(file.path == ".env" and file.exists for file in first):
         values = {**env, **({"IMAGE_NAME": project.name} if "IMAGE" in env else {})}
-        lines = [assigned(name, value) for name, value in variables(project).items() if values.get(name) != value]
-        if lines:
-            yield f"{app_inputs.FILE} stays as it is, and does not say {', '.join(lines)}", "write that into it"
-
-
-def _kept(folder: Path, first: Sequence[File], project: Project) -> Iterator[Note]:
-    from rosml.containerize.init.file_texts import lacking
-    from rosml.containerize.init.folder import text_of
-
+        variables = file_texts.variables(project).items()
+        if lines := [file_texts.assigned(name, value) for name, value in variables if values.get(name) != value]:
+            yield f".env stays as it is, and does not say {', '.join(lines)}", "write that into it"
     for file in first:
-        if file.exists and not file.same and (pairs := [*lacking(file.path, text_of(folder / file.path), project)]):
-            lacks, lines = (", and ".join(texts) for texts in zip(*pairs, strict=True))
-            yield f"{file.path} stays as it is, and {lacks}", f"{lines}; rosml init --dry-run prints ours"
-
-
-def _about_folder(folder: Path, project: Project) -> Iterator[Note]:
-    from rosml.containerize.init.folder import ignores_env
-
-    if ignores_env(folder):
+        if file.exists and not file.same:
+            pairs = [*file_texts.lacking(file.path, folders.text_of(folder / file.path), project)]
+            if pairs:
+                lacks, additions = (", and ".join(texts) for texts in zip(*pairs, strict=True))
+                yield f"{file.path} stays as it is, and {lacks}", f"{additions}; rosml init --dry-run prints ours"
+    if host := file_texts.other_registry(project):
+        secrets = "secrets" if project.forge == "github" else "masked variables"
+        text = f"CI logs in to {host} alone, with REGISTRY_USER and REGISTRY_PASSWORD"
+        yield text, f"make these {secrets} in the repository's settings"
+    if folders.ignores_env(folder):
         yield ".gitignore leaves out .env: who clones the repository has none", "git add --force .env"
     if not IN_CHECKOUT and not project.place:
         yield UNNAMED

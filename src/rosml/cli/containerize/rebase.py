@@ -183,16 +183,13 @@ def _foreseen(plan: Plan) -> Rebased:
 
 def _carry_out(rebaser: Rebaser, plan: Plan, call: Call) -> Rebased:
     _tell_undecided(plan)
-    links = call.check in ("link", "run") or (call.check == "auto" and bool(plan.judgement.undecided))
-    links = links and not plan.changes_nothing
+    links = plan.needs_link(call.check) and not plan.changes_nothing
     if links:
         _builder()  # before anything is pushed
     rebased = rebaser.push(plan, not call.no_sbom)
     if links:
-        _link(rebased, plan.pairs)
+        _try(rebased, plan.pairs, call.command)
         rebased = replace(rebased, linked=True)
-        if call.command:
-            _start(rebased, plan.pairs, call.command)
     return rebaser.move(plan, rebased)
 
 
@@ -237,7 +234,7 @@ def _move_fleet(rebaser: Rebaser, file: Path, call: Call) -> None:
 
     date, entries = now(), fleet.read(file)
     screen = _screen(call.fixes) if call.fixes else None
-    run = fleet.Fleet(rebaser, date, _link, _start, not call.no_sbom, say, screen)
+    run = fleet.Fleet(rebaser, date, _try, not call.no_sbom, say, screen)
     outcomes = run.run(entries, call.dry_run)
     places = fleet.places(outcomes)
     if call.as_json:
@@ -306,13 +303,11 @@ def _builder() -> Services:
     return services
 
 
-def _link(rebased: Rebased, pairs: dict[str, Pair]) -> None:
+def _try(rebased: Rebased, pairs: dict[str, Pair], command: str) -> None:
+    """Links an app in its new image, and starts a command in it, unless that is empty."""
     from rosml.containerize.rebase.trial import Trial
 
-    Trial(_builder(), rebased.reference).link(pairs)
-
-
-def _start(rebased: Rebased, pairs: dict[str, Pair], command: str) -> None:
-    from rosml.containerize.rebase.trial import Trial
-
-    Trial(_builder(), rebased.reference).run(pairs, command)
+    trial = Trial(_builder(), rebased.reference)
+    trial.link(pairs)
+    if command:
+        trial.run(pairs, command)

@@ -62,7 +62,6 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
     if output:
         return {output: bake_files[bake_file.NAME]}
     from rosml.containerize.ci import files as ci_files
-    from rosml.containerize.ci import inputs_page as page
     from rosml.images.catalogue import layers_picture, tags_page
     from rosml.images.catalogue.model import Published
     from rosml.images.matrix import schema
@@ -75,7 +74,6 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
         ROOT / "docs/licences.md": tags_page.render_licences(files.text(ROOT / "docs/licences.md"), image_set),
         ROOT / "docs/images/layers.svg": layers_picture.render(image_set),
         ROOT / "docs/images/rebase.svg": layers_picture.render_rebase(image_set),
-        **{ROOT / path: page.render(path, files.text(ROOT / path)) for path in page.PAGES},
         **{ROOT / path: ci_files.render(path, files.text(ROOT / path)) for path in ci_files.FILES},
     }
 

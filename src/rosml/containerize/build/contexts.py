@@ -16,10 +16,10 @@ from rosml.containerize.base_image import rosdep_index
 from rosml.containerize.base_image.base import Base
 from rosml.containerize.build.bake_file import Inputs, mirrors_with_a_password
 from rosml.containerize.build.call import Call
+from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.lock import Lock
 from rosml.containerize.names import SLIM
 from rosml.containerize.packages import manifest, workspace
-from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.sources import fetch as sources
 from rosml.containerize.sources.git import Access
 from rosml.images.image_set.system import CALLED, DEBIAN

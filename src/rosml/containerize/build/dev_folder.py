@@ -20,9 +20,9 @@ from rosml.base.shapes import Shape
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize import lock
 from rosml.containerize.build import bake_file, stage_cache
+from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.inputs import Values
 from rosml.containerize.packages import workspace
-from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.sources import repos_file
 
 KEPT = ".rosml/dev"

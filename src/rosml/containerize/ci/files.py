@@ -1,4 +1,4 @@
-"""Writes the table of inputs into the files of `rosml containerize` for CI, between markers."""
+"""Writes the table of inputs into files of `rosml containerize` for CI, and into their pages in docs/, between markers."""
 
 from __future__ import annotations
 
@@ -6,22 +6,26 @@ import json
 import re
 from collections.abc import Callable, Iterable, Iterator
 
+from rosml.base import github
 from rosml.base.errors import RosmlError
+from rosml.containerize import inputs as app_inputs
 from rosml.containerize.ci.inputs import SECRET, SETTINGS, Setting
 
 ACTION = "containerize/action.yml"
 INDEX = "containerize/index/action.yml"
 WORKFLOW = ".github/workflows/containerize.yml"
 GITLAB = "containerize/gitlab.yml"
-FILES = (ACTION, INDEX, WORKFLOW, GITLAB)
+INPUTS_PAGE = "docs/containerize/inputs.md"
+CI_PAGE = "docs/containerize/ci.md"
+FILES = (ACTION, INDEX, WORKFLOW, GITLAB, INPUTS_PAGE, CI_PAGE)
 
 _DECIDED = ("enable-checkout", "enable-singlearch-push")
 """Inputs of the action that callers of the workflow cannot set."""
 
-NOT_OF_GITLAB = (*_DECIDED, "enable-checkout-lfs", "enable-checkout-submodules")
+_OF_CHECKOUT = ("enable-checkout", "enable-checkout-lfs", "enable-checkout-submodules")
+NOT_OF_GITLAB = ("enable-singlearch-push", *_OF_CHECKOUT)
 """Inputs that GitLab, or its jobs for one platform each, decide."""
 
-_OF_CHECKOUT = ("enable-checkout", "enable-checkout-lfs", "enable-checkout-submodules")
 _OF_REGISTRY = ("registry", "registry-user", "registry-password")
 _OTHER_STEPS = (*_OF_REGISTRY, *_OF_CHECKOUT)
 """Inputs of the action that the command does not need."""
@@ -31,7 +35,9 @@ _INDEX = ("target", "platform", *_OF_TAGS, "push", "enable-push-as-latest", *_OF
 """Inputs of the job that moves the tags."""
 
 _BLOCK = re.compile(
-    r"^(?P<indent> *)# (?P<name>\w+): written by rosml generate\n(?:.*\n)*?(?P=indent)# /(?P=name)\n", re.MULTILINE
+    r"^(?P<begin>(?P<indent> *)(#|<!--) (?P<name>\w+): written by rosml generate( -->)?\n)(?:.*\n)*?"
+    r"(?P<end>(?P=indent)(#|<!--) /(?P=name)( -->)?\n)",
+    re.MULTILINE,
 )
 
 
@@ -45,15 +51,13 @@ def render(path: str, text: str) -> str:
         if name not in blocks:
             return match[0]
         written.add(name)
-        lines = [f"# {name}: written by rosml generate", *blocks[name], f"# /{name}"]
-        return "".join(f"{match['indent']}{line}\n" for line in lines)
+        return "".join((match["begin"], *(f"{match['indent']}{line}\n" for line in blocks[name]), match["end"]))
 
     rendered = _BLOCK.sub(block, text)
     if missing := sorted(blocks.keys() - written):
-        raise RosmlError(
-            f"{path}: the marker '# {missing[0]}: written by rosml generate' is missing",
-            f"put it back, and '# /{missing[0]}' after it",
-        )
+        mark = "'<!-- {} -->'" if path.endswith(".md") else "'# {}'"
+        begin, end = (mark.format(text) for text in (f"{missing[0]}: written by rosml generate", f"/{missing[0]}"))
+        raise RosmlError(f"{path}: the marker {begin} is missing", f"put it back, and {end} after it")
     return rendered
 
 
@@ -77,6 +81,8 @@ def _blocks() -> dict[str, dict[str, Iterable[str]]]:
             "names": _passed(index),
         },
         GITLAB: {"inputs": _inputs(gitlab, _of_gitlab), "environment": _variables(gitlab)},
+        INPUTS_PAGE: {"inputs": _table_of_inputs(), "gone": _table_of_unused_inputs()},
+        CI_PAGE: {"ci": _table_of_defaults()},
     }
 
 
@@ -140,3 +146,32 @@ def _variables(settings: Iterable[Setting]) -> Iterator[str]:
         else:
             yield f"{name}: {value}"
     yield from (f"DEFAULT_{it.input.variable}: {json.dumps(it.gitlab)}" for it in settings if it.gitlab)
+
+
+# ---- Tables in docs/ -------------------------------------------------------------------------------------------------
+
+
+def _table_of_inputs() -> list[str]:
+    used = (item for item in app_inputs.TABLE if not item.gone)
+    rows = ((f"`{item.name}`", item.help, _code(item.default), item.in_repository) for item in used)
+    return github.table(("input", "what it says", "if you say nothing", "in `.env`"), rows).splitlines()
+
+
+def _table_of_unused_inputs() -> list[str]:
+    rows = ((f"`{item.variable}`", item.gone) for item in app_inputs.TABLE if item.gone)
+    return github.table(("variable", "why"), rows).splitlines()
+
+
+def _table_of_defaults() -> list[str]:
+    rows = []
+    for setting in SETTINGS:
+        if setting.server or setting.github or setting.gitlab:
+            item = setting.input
+            on_github = f"the job's token for {setting.server[1]}" if setting.server else _code(setting.github)
+            on_gitlab = "no such input" if item.name in NOT_OF_GITLAB else _code(setting.gitlab)
+            rows.append((f"`{item.name}`", item.help.partition("; ")[0], on_github, on_gitlab))
+    return github.table(("input", "what it says", "on GitHub", "on GitLab"), rows).splitlines()
+
+
+def _code(text: str) -> str:
+    return f"`{text}`" if text else ""

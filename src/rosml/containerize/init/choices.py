@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import re
+import shlex
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import listed
-from rosml.containerize.init import accelerator, command, distribution, framework, libraries, synonyms
+from rosml.base.problems import counted, listed
+from rosml.containerize.init import distribution, framework, libraries, synonyms
+from rosml.containerize.init.file_texts import INSTALLED
 from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, Wishes
+from rosml.containerize.packages.manifest import Package
 from rosml.images.image_set import missing
 from rosml.images.image_set.expand import FLOATING
 from rosml.images.image_set.model import Image
 from rosml.images.matrix import names, rules
 from rosml.images.matrix.model import Matrix
+
+SHELL = "bash"
+
+Startable = tuple[Package, str]
 
 
 @dataclass(frozen=True)
@@ -34,10 +42,10 @@ def decide(situation: Situation) -> Decision:
     row = distribution.choose(situation)
     component = _component(situation, row.value)
     combination, framework_notes = framework.choose(situation, row.value, component.value)
-    stack = accelerator.choose(situation, row.value, component.value, combination.value)
+    stack = framework.choose_stack(situation, row.value, component.value, combination.value)
     target = names.image_target(row.value, component.value, combination.value, stack.value or None)
     image = situation.image_set.by_target[target]
-    start = command.choose(situation, row.value)
+    start = _command(situation, row.value)
     addons, addon_notes = libraries.addons(matrix, situation.scan, image)
     unlocked = (f"{target} cannot be built yet: {missing.reason(image)}", missing.remedy(image))
     notes = (
@@ -90,3 +98,56 @@ def _component(situation: Situation, row: str) -> Choice:
                 proposal = Choice(name, f"{needs[meta].manifest} depends on {meta}")
     question = Question("How much of ROS", read, available, lambda _: reason)
     return situation.settle(question, situation.wishes.component, proposal)
+
+
+def _command(situation: Situation, distribution: str) -> Choice:
+    """What the run image starts: a launch file, or the only program of Python; a shell if neither is likely."""
+    wish, of_env = situation.wishes.command, situation.surroundings.env.get("COMMAND")
+    if of_env and not wish:
+        return Choice(_shell_words(of_env), BY_ENV)
+    return situation.settle(
+        Question("Command to start", _shell_words), wish, _proposed_command(situation, distribution)
+    )
+
+
+def _shell_words(command: str) -> str:
+    try:
+        shlex.split(command)
+    except ValueError as error:
+        text = f"the command {command!r} is none that a shell reads: {str(error).lower()}"
+        raise RosmlError(text, "close its quotation", exit_code=2) from None
+    return command
+
+
+def _proposed_command(situation: Situation, distribution: str) -> Choice:
+    facts, packages = situation.matrix.distributions[distribution], situation.scan.packages
+    launches = [(package, file) for package in packages for file in package.launches]
+    scripts = [(package, name) for package in packages for name in package.scripts]
+    if facts.wheels:  # there is no command ros2, and no launch (docs/limits.md)
+        if len(scripts) == 1:
+            return Choice(_installed(*scripts[0]), f"the only program, by its path: {distribution} has no ros2")
+        return Choice(SHELL, f"a shell, as {distribution} has no ros2; --command names another")
+    launch, run = ("roslaunch", "rosrun") if facts.ros == 1 else ("ros2 launch", "ros2 run")
+    for startable, verb, why in (
+        (launches, launch, "the only launch file"),
+        (list(_likely(launches)), launch, "the likeliest launch file"),
+        ([] if launches else scripts, run, "the only program"),
+    ):
+        if len(startable) == 1:
+            package, name = startable[0]
+            return Choice(f"{verb} {shlex.join((package.name, name))}", why)
+    count = counted(*((len(launches), "launch file") if launches else (len(scripts), "program")))
+    why = f"a shell, as there are {count}" if launches or scripts else "a shell"
+    return Choice(SHELL, f"{why}; --command names another")
+
+
+def _installed(package: Package, script: str) -> str:
+    """The path at which colcon installs a program of a Python package whose setup.cfg is as ROS's tools write it."""
+    return shlex.quote(f"{INSTALLED}/{package.name}/lib/{package.name}/{script}")
+
+
+def _likely(launches: Sequence[Startable]) -> Iterator[Startable]:
+    """The launch files that start a whole robot, by their names: those for bringing it up, or called like their package."""
+    for package, file in launches:
+        if re.sub(r"[._]launch.*$", "", file) in ("bringup", "all", "main", package.name):
+            yield package, file

@@ -9,9 +9,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
+from rosml.containerize import ignored_files
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize.init.packages import PIP
-from rosml.containerize.packages import ignored
 from rosml.images.matrix.model import Matrix
 from rosml.run import defaults
 
@@ -170,7 +170,7 @@ def _dockerignore(project: Project) -> Iterator[str]:
     yield "# What neither rosml containerize nor docker build gets."
     yield from (".git", "**/__pycache__", ".venv", ".vscode")
     tops = {folder.split("/")[0] for folder in project.packages}
-    yield from sorted({*ignored.OUTPUT_FOLDERS, *CATKIN.split()} - tops)
+    yield from sorted({*ignored_files.OUTPUT_FOLDERS, *CATKIN.split()} - tops)
     yield "# Files that change no image: without them here, each change would build everything again."
     yield from (app_inputs.FILE, defaults.PROJECT, DOCKERFILE, ".dockerignore", ".github", GITLAB)
 

@@ -11,8 +11,8 @@ from pathlib import Path
 
 from rosml.base import files
 from rosml.containerize import within
+from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.packages import manifest, workspace
-from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.packages.manifest import Package
 
 LARGEST = 1 << 20

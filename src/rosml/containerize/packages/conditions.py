@@ -17,36 +17,19 @@ _COMPARISONS: Mapping[str, Callable[[str, str], bool]] = {
     ">=": operator.ge,
 }
 
-LONGEST = 1_000
-"""Characters."""
+LONGEST = 1_000  # characters
 
 
 def holds(text: str, variables: Mapping[str, str]) -> bool:
-    """Whether a condition holds. An empty one does, and a broken one: the build says what is wrong with it.
-
-    Args:
-        variables: values of ROS_VERSION and ROS_DISTRO; others are empty.
-    """
-    if not text.strip():
+    """Whether a condition holds. An empty one does, and a broken one: the build says what is wrong with it. Variables without a value
+    in `variables` are empty."""
+    if len(text) > LONGEST or _TOKEN.sub("", text):
         return True
+    tokens = _TOKEN.findall(text)[::-1]  # the last one first
     try:
-        tokens = _tokens(text)
-        value = _joined(tokens, variables)
+        return _joined(tokens, variables) or bool(tokens)
     except (LookupError, RecursionError, ValueError):
         return True
-    return value or bool(tokens)
-
-
-def _tokens(text: str) -> list[str]:
-    """The tokens, the last one first."""
-    tokens, place = list[str](), 0
-    while place < len(text):
-        token = _TOKEN.match(text, place)
-        if token is None or len(text) > LONGEST:
-            raise ValueError(text)
-        tokens.append(token[1])
-        place = token.end()
-    return tokens[::-1]
 
 
 def _joined(tokens: list[str], variables: Mapping[str, str], words: tuple[str, ...] = ("or", "and")) -> bool:

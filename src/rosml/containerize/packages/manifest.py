@@ -13,13 +13,12 @@ from xml.etree import ElementTree
 from rosml.base.errors import RosmlError
 from rosml.base.problems import some
 from rosml.containerize import inputs, within
+from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.packages import workspace
 from rosml.containerize.packages.conditions import holds
-from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.sources import repos_file
 
-LARGEST = 1 << 20
-"""Bytes of a manifest."""
+LARGEST = 1 << 20  # bytes of a manifest
 
 EXAMPLES: Mapping[int, str] = {1: "ros:ros1-bookworm-base", 2: "ros:jazzy-base"}
 """A base image for each ROS, in remedies."""
@@ -36,26 +35,17 @@ Conditional = tuple[tuple[str, str], ...]
 
 @dataclass(frozen=True)
 class Package:
-    """A ROS package.
-
-    Attributes:
-        kinds: its build types.
-        tools: its build tools.
-        needs: the keys that it depends on, without build tools.
-        depends: the keys after which colcon builds it.
-        launches: names of its launch files.
-        scripts: names of its Python programs in `setup.py` or `setup.cfg`.
-    """
+    """A ROS package."""
 
     name: str
     folder: Path
-    kinds: Conditional
-    tools: Conditional
-    needs: frozenset[str]
-    depends: Conditional = ()
+    kinds: Conditional  # its build types
+    tools: Conditional  # its build tools
+    needs: frozenset[str]  # the keys that it depends on, without build tools
+    depends: Conditional = ()  # the keys after which colcon builds it
     languages: tuple[str, ...] = ()
-    launches: tuple[str, ...] = ()
-    scripts: tuple[str, ...] = ()
+    launches: tuple[str, ...] = ()  # names of its launch files
+    scripts: tuple[str, ...] = ()  # names of its Python programs in `setup.py` or `setup.cfg`
 
     @property
     def manifest(self) -> str:
@@ -85,9 +75,8 @@ class Package:
         words = holding(self.kinds) or holding(self.tools)
         if not words and (self.kinds or self.tools):
             return False
-        versions = {1 for word in words if word.startswith("catkin")} | {
-            2 for word in words if word.startswith("ament")
-        }
+        begins = {"catkin": 1, "ament": 2}
+        versions = {number for begin, number in begins.items() if any(word.startswith(begin) for word in words)}
         versions = versions or {number for number, names in _GENERATIONS.items() if self.needs.intersection(names)}
         return not versions or ros in versions
 
@@ -133,12 +122,8 @@ def require_one_ros(folder: Path, base: str, ros: int, ros_distro: str, without:
 
 
 def require_order(manifests: Path, variables: Mapping[str, str], without: Collection[str] = ()) -> None:
-    """Checks that no packages in the folder of `workspace.write_manifests` depend on each other in a ring.
-
-    Args:
-        variables: ROS_VERSION and ROS_DISTRO of the base image, with which conditions compare.
-        without: names of packages that do not count.
-    """
+    """Checks that no packages in the folder of `workspace.write_manifests`, but for those `without`, depend on each other in a ring.
+    Conditions compare with `variables`: ROS_VERSION and ROS_DISTRO of the base image."""
     try:
         packages = read(manifests, IgnoredFiles(manifests))
     except RosmlError:  # a manifest of an upstream repository: the build says where it is
@@ -147,8 +132,9 @@ def require_order(manifests: Path, variables: Mapping[str, str], without: Collec
     packages = [
         (replace(item, folder=item.folder.relative_to(target)) if item.folder.is_relative_to(target) else item, text)
         for item, text in packages
+        if item.name not in without
     ]
-    _require_no_ring([(item, text) for item, text in packages if item.name not in without], variables)
+    _require_no_ring(packages, variables)
 
 
 def _require_no_ring(packages: Iterable[tuple[Package, str]], variables: Mapping[str, str] | None = None) -> None:

@@ -15,8 +15,8 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.problems import near
 from rosml.containerize import inputs, within
+from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.inputs import Values
-from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.containerize.sources.store import is_pointer
 from rosml.containerize.within import SECRET
 
@@ -29,8 +29,7 @@ HIDING = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 MANIFEST, PLAIN = "package.xml", "CMakeLists.txt"
 """The file of a ROS package, and that of a package for CMake alone."""
 
-LARGEST_TEXT = 1 << 20
-"""Bytes of a list or a script of a repository."""
+LARGEST_TEXT = 1 << 20  # bytes of a list or a script of a repository
 
 _PROJECT = re.compile(r"""^[ \t]*project[ \t]*\([ \t]*"?([\w.+-]+)""", re.IGNORECASE | re.MULTILINE)
 """The name of the package in a CMakeLists.txt, as colcon reads it."""
@@ -51,10 +50,11 @@ def manifests(root: Path, beyond: list[Path] | None = None, ignored: IgnoredFile
             folders.clear()
             continue
         visited.add(real)
-        out = [name for name in folders if _leads_out(Path(folder, name), root)]
+        links = [path for name in folders if (path := Path(folder, name)).is_symlink()]
+        out = [path for path in links if not within.is_inside(path, root)]
         if beyond is not None:
-            beyond += [Path(folder, name) for name in out]
-        folders[:] = sorted(name for name in folders if not name.startswith(".") and name not in out)
+            beyond += out
+        folders[:] = sorted(name for name in folders if not name.startswith(".") and Path(folder, name) not in out)
         if ignored:
             folders[:] = [name for name in folders if not ignored.whole(Path(folder, name))]
             names = [name for name in names if not ignored(Path(folder, name))]
@@ -62,10 +62,6 @@ def manifests(root: Path, beyond: list[Path] | None = None, ignored: IgnoredFile
         yield from (Path(folder, name) for name in markers)
         if markers and markers != [PLAIN]:
             folders.clear()
-
-
-def _leads_out(path: Path, root: Path) -> bool:
-    return path.is_symlink() and not within.is_inside(path, root)
 
 
 def names(root: Path) -> Iterator[str]:
@@ -127,35 +123,24 @@ def none_in(folder: Path) -> RosmlError:
 
 
 def stage(folder: Path, out: Path, without: Path | None = None, ignored: IgnoredFiles | None = None) -> list[str]:
-    """Makes the folder that the builder gets: links to the files of a repository, without secret and ignored ones.
-
-    The folder is one level deeper than the context of the build, so that the builder does not read `.dockerignore` again.
-
-    Returns:
-        Files that only their owner may read, as a checkout with umask 077 has them. In `out`, everybody may read them, since an image
-        has many users.
-    """
-
-    def stays(path: Path) -> bool:
-        return path.name in SECRET or path == without or (ignored is not None and ignored(path))
-
+    """Makes the folder that the builder gets: links to the files of a repository, without secret and ignored ones. It is one level
+    deeper than the context of the build, so that the builder does not read `.dockerignore` again. Returns the files that only their
+    owner may read, as a checkout with umask 077 has them: in `out`, everybody may, since an image has many users."""
     private: list[str] = []
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     out.chmod(0o755)
     for path, folders, names in os.walk(folder):
         place = out / os.path.relpath(path, folder)
-        links = [name for name in folders if Path(path, name).is_symlink()]
-        folders[:] = [
-            name
-            for name in folders
-            if name not in SECRET and name not in links and not (ignored and ignored.whole(Path(path, name)))
-        ]
+        below = [Path(path, name) for name in folders if name not in SECRET]
+        links = [source for source in below if source.is_symlink()]
+        folders[:] = [it.name for it in below if it not in links and not (ignored and ignored.whole(it))]
         for name in folders:
             (place / name).mkdir()
             (place / name).chmod(0o755)
-        for source in (Path(path, name) for name in (*names, *links)):
-            if not stays(source) and _link(source, place / source.name, folder):
+        for source in (*(Path(path, name) for name in names if name not in SECRET), *links):
+            stays = source == without or (ignored and ignored(source))
+            if not stays and _link(source, place / source.name, folder):
                 private.append(os.path.relpath(source, folder))
     return private
 

@@ -1,7 +1,5 @@
-"""What is attached to the images of apps and base images: it is read before an app moves, and attached to the new image.
-
-A list of files, and facts: see `images/join`. The SBOM of the new image has the components of the base image's and of the app's own.
-"""
+"""What is attached to the images of apps and base images: lists of files and facts (see `images/join`), and SBOMs. It is read before an
+app moves, and attached to the new image. The new SBOM has the components of the base image's and of the app's own."""
 
 from __future__ import annotations
 
@@ -27,8 +25,7 @@ from rosml.registry.client import Registry
 from rosml.registry.oci import Manifest
 from rosml.registry.references import Reference
 
-DEPTH = 10
-"""Most apps on one another."""
+DEPTH = 10  # most apps on one another
 
 _PYTHON = re.compile(r"(?:.*/)?([^/-]+)-([^/-]+)(?:-py[0-9.]+)?\.(?:dist-info|egg-info)(?:/.*)?")
 """The folder or file in which a package of Python says its name and version."""
@@ -217,17 +214,17 @@ def _of_app(components: Iterable[dict[str, Any]], app_facts: Facts) -> Iterator[
     apt = {(package.name, package.version) for package in app_facts.packages}
     paths = (*app_facts.files, *(path for package in app_facts.packages for path in package.files))
     matches = (_PYTHON.fullmatch(path) for path in paths if "-info" in path)
-    python = {(_normalized(match[1]), match[2]) for match in matches if match}
+    python = {(normalized(match[1]), match[2]) for match in matches if match}
     for component in components:
         purl, name, version = (str(component.get(key, "")) for key in ("purl", "name", "version"))
         if purl.startswith("pkg:deb/"):
             is_own = (name, version) in apt
         else:
-            is_own = purl.startswith("pkg:generic/ros/") or (_normalized(name), version) in python
+            is_own = purl.startswith("pkg:generic/ros/") or (normalized(name), version) in python
         if is_own:
             yield component
 
 
-def _normalized(name: str) -> str:
+def normalized(name: str) -> str:
     """The name of a package of Python as all its spellings come to."""
     return re.sub("[-_.]+", "-", name).lower()

@@ -1,7 +1,5 @@
-"""Decides whether an app may move to another base image, by facts about the app and both base images: no layer is read.
-
-docs/rebase.md has the rules in words, and what they cannot see.
-"""
+"""Decides whether an app may move to another base image, by facts about the app and both base images: no layer is read. docs/rebase.md
+has the rules in words, and what they cannot see."""
 
 from __future__ import annotations
 
@@ -13,7 +11,7 @@ from enum import IntEnum
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
-from rosml.containerize.rebase.attachments import BaseContents
+from rosml.containerize.rebase.attachments import BaseContents, normalized
 from rosml.containerize.rebase.debian import PackageSet, relations
 from rosml.containerize.rebase.image import AGAIN
 from rosml.images.image_set.labels import PREFIX
@@ -111,23 +109,19 @@ def judge(
         base_packages, all_packages = PackageSet(new.packages), PackageSet([*new.packages, *app.packages])
         reasons = [
             *_package_relations(app, new, base_packages, all_packages),
-            *_missing_apt_requests(app, all_packages),
-            *_vanished_packages(app, old_facts, all_packages),
+            *_missing_packages(app, old_facts, all_packages),
             *_libraries(app, old_facts, new),
         ]
     except ValueError as error:
         raise RosmlError(f"the facts of an image are damaged: {error}", AGAIN) from None
     reasons += [
         *_file_clashes(app, base, base_packages),
-        *_missing_imports(app, base.files),
-        *_missing_pip_requests(app, base.files),
+        *_missing_python(app, base.files),
         *_part_releases(app, app_labels, base_labels),
     ]
     if old_facts is None:
-        text = (
-            "the base image that the app was built on is gone, or has no facts beside it, so nobody can compare with it"
-        )
-        reasons.append((text, Verdict.LINK))
+        text = "the base image that the app was built on is gone, or has no facts beside it"
+        reasons.append((f"{text}, so nobody can compare with it", Verdict.LINK))
     return Judgement.of(reasons)
 
 
@@ -156,15 +150,11 @@ def _package_relations(app: Facts, new: Facts, base_packages: PackageSet, all_pa
             yield text, Verdict.BUILD
 
 
-def _missing_apt_requests(app: Facts, all_packages: PackageSet) -> Iterator[Reason]:
-    """Packages that the app asked for by name, and that are not in its layer because its present base image has them."""
+def _missing_packages(app: Facts, old_facts: Facts | None, all_packages: PackageSet) -> Iterator[Reason]:
+    """Packages that only the old base image has. The app asked for some; Python and launch files may use others, and no list says so."""
     for name in app.asks:
         if name not in all_packages:
             yield f"the app asked for {name}, which the base image lacks", Verdict.BUILD
-
-
-def _vanished_packages(app: Facts, old_facts: Facts | None, all_packages: PackageSet) -> Iterator[Reason]:
-    """Packages that only the old base image has. Python and launch files may use them, and no list says so."""
     packages = old_facts.packages if old_facts else ()
     gone = sorted({package.name for package in packages if package.name not in all_packages})
     if gone and app.imports != []:
@@ -175,24 +165,17 @@ def _vanished_packages(app: Facts, old_facts: Facts | None, all_packages: Packag
 # ---- Files -----------------------------------------------------------------------------------------------------------
 
 
-def _missing_imports(app: Facts, files: Iterable[str]) -> Iterator[Reason]:
+def _missing_python(app: Facts, files: Iterable[str]) -> Iterator[Reason]:
+    """What the app imports, or asked pip for, and took from its present base image."""
     modules = modules_of(files) if app.imports else ()
     for item in app.imports or ():
         if item.module not in modules:
             yield f"{item.file} imports {item.module}, which the base image lacks", Verdict.BUILD
-
-
-def _missing_pip_requests(app: Facts, files: Iterable[str]) -> Iterator[Reason]:
-    distributions = distributions_of(files) if app.asks_pip else ()
+    matches = map(_DISTRIBUTION.search, files if app.asks_pip else ())
+    distributions = {normalized(match[1]) for match in matches if match}
     for name in app.asks_pip:
         if name not in distributions:
             yield f"the app asked pip for {name}, which the base image lacks", Verdict.BUILD
-
-
-def distributions_of(files: Iterable[str]) -> set[str]:
-    """The normalized names of Python's packages."""
-    names = {match[1] for path in files if (match := _DISTRIBUTION.search(path))}
-    return {re.sub(r"[-_.]+", "-", name).lower() for name in names}
 
 
 _DISTRIBUTION = re.compile(r"/(?:site|dist)-packages/([A-Za-z0-9._]+)(?:-[^/]*)?\.(?:dist|egg)-info(?:/|$)")
@@ -274,9 +257,8 @@ class _Libraries:
         self._steps = steps
         self._by_name: defaultdict[str, list[Library]] = defaultdict(list)
         usable = [library for library in libraries if list(library.machine) == list(machine)]
-        self._interpreters = [
-            library for library in usable if not library.soname
-        ]  # Python, whose extensions use its symbols
+        # Python, whose extensions use its symbols.
+        self._interpreters = [library for library in usable if not library.soname]
         for library in usable:
             for name in {library.soname, library.path.rpartition("/")[2], *library.names} - {""}:
                 self._by_name[name].append(library)

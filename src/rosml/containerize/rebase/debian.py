@@ -1,7 +1,5 @@
-"""Versions of Debian's packages and what they say of each other, by Debian's policy (chapters 5.6.12 and 7).
-
-dpkg's own fields have no restrictions by architecture or build profile: dpkg-gencontrol has decided them.
-"""
+"""Versions of Debian's packages and what they say of each other, by Debian's policy (chapters 5.6.12 and 7). dpkg's own fields have no
+restrictions by architecture or build profile: dpkg-gencontrol has decided them."""
 
 from __future__ import annotations
 
@@ -14,8 +12,7 @@ from typing import NamedTuple
 
 from rosml.images.join.facts import Package
 
-COMPARISONS = 2_000_000
-"""The most versions that are compared for one image, which take some seconds."""
+COMPARISONS = 2_000_000  # the most versions that are compared for one image, which take some seconds
 
 _RELATION = re.compile(r"([a-z0-9][a-z0-9+.-]*)(:[a-z0-9-]+)?\s*(?:\(\s*(<<|<=|=|>=|>>|<|>)\s*([^\s()]+)\s*\))?")
 _RUN = re.compile(r"(\D*)(\d*)")

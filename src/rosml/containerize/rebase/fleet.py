@@ -1,8 +1,5 @@
-"""Puts many apps on their base images' newest digests: those of a file `apps.yaml`.
-
-Each app moves alone: one that is refused or fails stays, and the others move. A dated tag comes first, which no later run moves. Where tags
-were before is in the record of the run, so that `rosml publish undo` moves them back.
-"""
+"""Puts many apps, those of a file `apps.yaml`, on their base images' newest digests. Each moves alone: one that is refused or fails
+stays. A dated tag comes first, which no later run moves. By the record of a run, `rosml publish undo` moves tags back."""
 
 from __future__ import annotations
 
@@ -39,17 +36,14 @@ MEANING = {
     REFERENCE: "an app by its tag, without a digest or spaces, such as ghcr.io/me/robot:latest or ghcr.io/me/robot:v*"
 }
 
-MANY = 10_000
-"""Most apps of a file, after its patterns were replaced."""
+MANY = 10_000  # most apps of a file, after its patterns were replaced
 
-TIMES = 200
-"""Most dated tags of an app on one day."""
+TIMES = 200  # most dated tags of an app on one day
 
 _OURS = "sha256-"
 """The beginning of tags that are no app's: lists of what is attached to an image."""
 
-RUNS = 30
-"""How many runs back a fleet looks for moves that somebody undid."""
+RUNS = 30  # how many runs back a fleet looks for moves that somebody undid
 
 State = Literal["moved", "planned", "there", "held", "unaffected", "refused", "failed"]
 """`there`: it was on the newest base image already. `held`: somebody undid the same move."""
@@ -122,12 +116,12 @@ class _Pushed:
 
 @dataclass
 class Fleet:
-    """A run over many apps. `link` and `start` try an app in the builder; `screen` names the packages of an SBOM that are vulnerable."""
+    """A run over many apps. `trial` links an app in the builder, and starts a command in it, unless that is empty; `screen` names the
+    packages of an SBOM that are vulnerable."""
 
     rebaser: Rebaser
     date: str
-    link: Callable[[Rebased, dict[str, Pair]], None]
-    start: Callable[[Rebased, dict[str, Pair], str], None]
+    trial: Callable[[Rebased, dict[str, Pair], str], None]
     with_sbom: bool = True
     say: Callable[[str], None] = lambda _: None
     screen: Callable[[bytes, str], str] | None = None
@@ -202,11 +196,11 @@ class Fleet:
 
     def _plan(self, name: str, entry: Entry) -> _Ready | Outcome:
         try:
-            vulnerable = self._screened(name, (self.rebaser.sbom(app) for app in self.rebaser.read(name).values()))
+            vulnerable = self._screened(name, map(self.rebaser.attachments.sbom, self.rebaser.read(name).values()))
             if self.screen and not vulnerable:
                 return Outcome(name, "unaffected")
             plan = self.rebaser.plan(name, entry.base)
-            remaining = self._screened(name, (self.rebaser.new_sbom(plan, platform) for platform in plan.images))
+            remaining = self._screened(name, (self.rebaser.new_sbom(plan, platform) for platform in plan.members))
             if remaining:
                 return Outcome(name, "refused", f"{vulnerable}, and {remaining} on {plan.base.name}", image.AGAIN)
             if plan.changes_nothing:
@@ -226,10 +220,8 @@ class Fleet:
         host, repository, tag = plan.target
         registry, name, day = self.rebaser.registries(host), repository.rpartition("/")[2], dated(tag, self.date)
         move = Move(name, tag, plan.tag_digest, plan.digest)
-        for candidate in (
-            day,
-            *(f"{day}.{number}" for number in range(2, TIMES)),
-        ):  # the second tag of a day ends in .2
+        for number in range(1, TIMES):  # the second tag of a day ends in .2
+            candidate = f"{day}.{number}" if number > 1 else day
             digest = registry.head(repository, candidate)
             if not digest:
                 return Move(name, candidate, "", plan.digest), move
@@ -249,15 +241,13 @@ class Fleet:
         return Move(name, tag, plan.tag_digest, plan.digest) in self._undone.get((host, prefix), ())
 
     def _push(self, ready: _Ready) -> _Pushed | Outcome:
-        plan, check = ready.plan, ready.entry.check
+        plan = ready.plan
         try:
             rebased = self.rebaser.push(plan, self.with_sbom)
-            if check in ("link", "run") or (check == "auto" and plan.judgement.undecided):
+            if plan.needs_link(ready.entry.check):
                 with self._building:
-                    self.link(rebased, plan.pairs)
-                    rebased = replace(rebased, linked=True)
-                    if check == "run":
-                        self.start(rebased, plan.pairs, ready.entry.command)
+                    self.trial(rebased, plan.pairs, ready.entry.command)
+                rebased = replace(rebased, linked=True)
         except RosmlError as error:
             return _stopped(plan.app_name, error)
         return _Pushed(plan, ready.moves, rebased)

@@ -41,17 +41,24 @@ class Rebased(Transferred):
 
 
 @dataclass(frozen=True)
+class Member:
+    """An app for one platform, its new image, and what is on the new base image."""
+
+    app: Source
+    image: Joined
+    base: BaseContents
+
+
+@dataclass(frozen=True)
 class Plan:
-    """A new image of an app that is in no registry yet. `tag_digest` is where the tag was, empty if there was none; mappings are by platform."""
+    """A new image of an app that is in no registry yet. `tag_digest` is where the tag was, empty if there was none."""
 
     app: Reference
     app_name: str
     target: Reference
     tag_digest: str
     base: Base
-    app_images: Mapping[str, Source]
-    images: Mapping[str, Joined]
-    base_contents: Mapping[str, BaseContents]
+    members: Mapping[str, Member]  # by platform
     judgement: Judgement
     document: bytes
     is_index: bool
@@ -64,17 +71,21 @@ class Plan:
     def changes_nothing(self) -> bool:
         return self.tag_digest == self.digest
 
+    def needs_link(self, check: str) -> bool:
+        """Whether a step in the builder has to link the app, by `--check`."""
+        return check in ("link", "run") or (check == "auto" and bool(self.judgement.undecided))
+
     @property
     def pairs(self) -> dict[str, Pair]:
         new, present = (f"{where.host}/{where.repository}" for where in (self.target, self.app))
         return {
-            platform: Pair(f"{new}@{image.digest}", f"{present}@{self.app_images[platform].digest}")
-            for platform, image in self.images.items()
+            platform: Pair(f"{new}@{member.image.digest}", f"{present}@{member.app.digest}")
+            for platform, member in self.members.items()
         }
 
     @property
     def rebased(self) -> Rebased:
-        labels = next(iter(self.app_images.values())).labels
+        labels = next(iter(self.members.values())).app.labels
         return Rebased(
             app=self.app_name,
             reference=str(self.target),

@@ -1,7 +1,5 @@
-"""Puts an app on another base image in a registry: pushes new manifests and configs for layers that are there, and pulls no layer.
-
-The tag moves last. If a call is interrupted, the old tag stands, and the next call finds by digest what was pushed.
-"""
+"""Puts an app on another base image in a registry: pushes new manifests and configs for layers that are there, and pulls no layer. The
+tag moves last. If a call is interrupted, the old tag stands, and the next call finds by digest what was pushed."""
 
 from __future__ import annotations
 
@@ -18,7 +16,7 @@ from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME
 from rosml.containerize.rebase import attachments, compatibility, image
 from rosml.containerize.rebase.attachments import Attachments, BaseContents
 from rosml.containerize.rebase.compatibility import Judgement, Verdict
-from rosml.containerize.rebase.plan import Plan, Rebased
+from rosml.containerize.rebase.plan import Member, Plan, Rebased
 from rosml.containerize.rebase.target_base import TargetBase, TargetBases
 from rosml.images.image_set.labels import ADDONS, APP, GPU, PREFIX, TITLE
 from rosml.images.join.layers import Joined, Source, as_source, join, platform
@@ -54,13 +52,6 @@ class _Onto:
         return join(self.images[platform], parts) if parts else None
 
 
-@dataclass(frozen=True)
-class _Moved:
-    image: Joined
-    base: BaseContents
-    judgement: Judgement
-
-
 class Rebaser:
     """Puts apps on other base images. It reads each base image once. Safe to share among threads; use it in a `with`."""
 
@@ -69,7 +60,7 @@ class Rebaser:
     ) -> None:
         self.services, self.registries, self.say = services, registries, say
         self._transfer = Transfer(registries, say)
-        self._attachments = Attachments(self._transfer)
+        self.attachments = Attachments(self._transfer)
         self._bases = TargetBases(services, registries, say)
 
     def __enter__(self) -> Rebaser:
@@ -89,16 +80,8 @@ class Rebaser:
         extra: Mapping[str, str] | None = None,
         stack: str = "",
     ) -> Plan:
-        """Computes the new image, and checks what speaks against it. It changes nothing.
-
-        Args:
-            app: by any name that `rosml run` takes.
-            base: by any name that `rosml containerize` takes; empty for the app's own, where its tag is now.
-            tag: the complete reference of the tag to move; empty for the app's own.
-            platforms: only these; all of the app's if empty.
-            extra: further labels.
-            stack: of the app's add-ons, if the base image has none; the app's own if empty.
-        """
+        """Computes the new image, and checks what speaks against it. It changes nothing. Empty are: a `base` for the app's own, where its
+        tag is now; a `tag`, `platforms` and `stack` (of add-ons, if the base image has none) for the app's own. `extra` are labels."""
         where, manifest = self._find(app)
         app_images = self._app_images(where, manifest, platforms)
         self._tell_left_behind(where, manifest)
@@ -110,23 +93,20 @@ class Rebaser:
         onto = self._onto(base, app_images, where, manifest, stack)
         labels = extra or ({} if target == where else {image.VARIANTS: ""})  # the label names tags beside the app's own
         moved = {name: self._moved(source, name, onto, labels, target) for name, source in app_images.items()}
-        judgement = Judgement.of(reason for item in moved.values() for reason in item.judgement.reasons.items())
+        judgement = Judgement.of(reason for _, its in moved.values() for reason in its.reasons.items())
         _require_no_build(judgement, str(where), onto.target.image)
-        images = {name: item.image for name, item in moved.items()}
+        members = {name: member for name, (member, _) in moved.items()}
         if manifest.is_index:
-            by_digest = {source.digest: images[name] for name, source in app_images.items()}
-            document = image.index(manifest.content, by_digest)
+            document = image.index(manifest.content, {it.app.digest: it.image for it in members.values()})
         else:
-            document = next(iter(images.values())).manifest
+            document = next(iter(members.values())).image.manifest
         return Plan(
             app=where._replace(reference=manifest.digest),
             app_name=str(where),
             target=target,
             tag_digest=tag_digest,
             base=onto.target.image,
-            app_images=app_images,
-            images=images,
-            base_contents={name: item.base for name, item in moved.items()},
+            members=members,
             judgement=judgement,
             document=document,
             is_index=manifest.is_index,
@@ -156,7 +136,9 @@ class Rebaser:
         parts = addons.kept(self._transfer, app.labels, target.image, self.services, stack)
         return _Onto(target, place, images, parts, [self._transfer.platforms(name) for name in parts.values()])
 
-    def _moved(self, app: Source, platform: str, onto: _Onto, labels: Mapping[str, str], target: Reference) -> _Moved:
+    def _moved(
+        self, app: Source, platform: str, onto: _Onto, labels: Mapping[str, str], target: Reference
+    ) -> tuple[Member, Judgement]:
         base = onto.images[platform]
         compatibility.require_fit(app, base)
         joined = onto.joined(platform)
@@ -166,19 +148,19 @@ class Rebaser:
             new = replace(new, layers=(*joined.layers, new.layers[-1]))
         self._transfer.require_allowed(new.labels, str(target), target)
         contents, judgement = self._judge(app, below, (onto.place, *onto.parts.values()), platform)
-        return _Moved(new, contents, judgement)
+        return Member(app, new, contents), judgement
 
     def _judge(self, app: Source, base: Source, places: Sequence[str], platform: str) -> tuple[BaseContents, Judgement]:
         old_base, submit = attachments.base_of(app), self._transfer.pool.submit
-        reading = [submit(self._attachments.base, place, platform) for place in places]
-        reading_app = submit(self._attachments.app_facts, app)
-        reading_old = submit(self._attachments.base_facts, old_base, platform) if old_base else None
+        reading = [submit(self.attachments.base, place, platform) for place in places]
+        reading_app = submit(self.attachments.app_facts, app)
+        reading_old = submit(self.attachments.base_facts, old_base, platform) if old_base else None
         app_facts, contents = reading_app.result(), attachments.together([item.result() for item in reading])
         old_facts = old_image = None
         try:
             if reading_old:
                 old_facts = reading_old.result()
-                old_image, _ = self._attachments.member(old_base, platform)  # read already
+                old_image, _ = self.attachments.member(old_base, platform)  # read already
         except RosmlError as error:
             self.say(f"the base image until now cannot be read, so nobody compares with it: {error.message}")
         if old_image:
@@ -195,8 +177,8 @@ class Rebaser:
         return next((driver for item in labels if (driver := item.get(f"{GPU}driver", ""))), "")
 
     def new_sbom(self, plan: Plan, platform: str) -> bytes:
-        reference = f"{plan.target}@{plan.digest}"
-        return self._attachments.new_sbom(plan.app_images[platform], plan.base_contents[platform], reference)
+        member = plan.members[platform]
+        return self.attachments.new_sbom(member.app, member.base, f"{plan.target}@{plan.digest}")
 
     # ---- Moving ------------------------------------------------------------------------------------------------------
 
@@ -205,10 +187,9 @@ class Rebaser:
         started = time.monotonic()
         rebased = plan.rebased
         host, repository, _ = plan.target
-        for name, joined in plan.images.items():
-            rebased.manifests[name] = self._transfer.push(joined, host, repository, rebased)
-            app, base = plan.app_images[name], plan.base_contents[name]
-            rebased.uploaded += self._attachments.attach(app, base, host, repository, joined.manifest, with_sbom)
+        for name, it in plan.members.items():
+            rebased.manifests[name] = self._transfer.push(it.image, host, repository, rebased)
+            rebased.uploaded += self.attachments.attach(it.app, it.base, host, repository, it.image.manifest, with_sbom)
         if self._is_signed(plan.app):
             self.say(f"{plan.app_name} is signed, and the new image is not: sign {host}/{repository}@{plan.digest}")
         return replace(rebased, seconds=time.monotonic() - started)
@@ -283,9 +264,6 @@ class Rebaser:
 
     def read(self, app: str) -> Mapping[str, Source]:
         return self._transfer.members(app, *self._find(app))
-
-    def sbom(self, app: Source) -> bytes:
-        return self._attachments.sbom(app)
 
     def _find(self, text: str) -> tuple[Reference, Manifest]:
         where = self.where(text)

@@ -19,11 +19,9 @@ from rosml.containerize.rebase.image import AGAIN
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 
-LINES = 10_000
-"""Most lines about what an app does not find."""
+LINES = 10_000  # most lines about what an app does not find
 
-SECONDS = 120
-"""How long the user's command may take: other builds wait meanwhile."""
+SECONDS = 120  # how long the user's command may take: other builds wait meanwhile
 
 _LINK = """FROM {0} AS {0}-linked
 USER root

@@ -1,7 +1,5 @@
-"""One app on several accelerators: an image for each stack, from one build.
-
-Each image has a label with all of them, by which `rosml run` takes the one for a machine (`run/variants.py`).
-"""
+"""One app on several accelerators: an image for each stack, from one build. Each image has a label with all of them, by which
+`rosml run` takes the one for a machine (`run/variants.py`)."""
 
 from __future__ import annotations
 
@@ -19,9 +17,9 @@ from rosml.images.matrix.names import NONE, main_tag
 from rosml.registry import references
 
 STACK = re.compile(r"[a-z][a-z0-9]{0,15}")
+DRIVER = re.compile(r"[0-9]{1,5}(\.[0-9]{1,5}){0,3}")
 
-MOST = 10
-"""Most variants of an app."""
+MOST = 10  # most variants of an app
 
 
 def plans(rebaser: Rebaser, app: str, stacks: Sequence[str], tag: str = "") -> list[Plan]:
@@ -30,12 +28,13 @@ def plans(rebaser: Rebaser, app: str, stacks: Sequence[str], tag: str = "") -> l
     sources = rebaser.read(app)
     source = next(iter(sources.values()))
     bases = {stack: _base(source, stack) for stack in stacks}
-    drivers = {stack: _driver(rebaser.driver(source, bases[stack], tuple(sources), stack)) for stack in stacks}
+    drivers = {stack: rebaser.driver(source, bases[stack], tuple(sources), stack) for stack in stacks}
     where = references.parse(tag) if tag else rebaser.where(app)
     if references.is_digest(where.reference):
         text = f"{where} is a digest, and tags have to move"
         raise RosmlError(text, "name one: --tag REGISTRY/NAME:TAG", exit_code=2)
-    label = {VARIANTS: " ".join(":".join(filter(None, item)) for item in drivers.items())}
+    versions = {stack: f":{driver}" if DRIVER.fullmatch(driver) else "" for stack, driver in drivers.items()}
+    label = {VARIANTS: " ".join(f"{stack}{version}" for stack, version in versions.items())}
     tags = [(stack, f"{where}-{stack}") for stack in stacks] + [(stacks[0], str(where))]
     return [rebaser.plan(app, bases[stack], name, extra=label, stack=stack) for stack, name in tags]
 
@@ -66,8 +65,3 @@ def _base(app: Source, stack: str) -> str:
         return name
     where = references.parse(name)
     return f"{where.host}/{where.repository}:{main_tag(distribution, component, stack)}"
-
-
-def _driver(label: str) -> str:
-    """A driver's version, as a label may say it; empty if it is none."""
-    return label if re.fullmatch(r"[0-9]{1,5}(\.[0-9]{1,5}){0,3}", label) else ""

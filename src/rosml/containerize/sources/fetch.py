@@ -23,8 +23,7 @@ from rosml.containerize.sources.tree import Tree, beside
 from rosml.containerize.sources.versions import Version, resolve
 from rosml.machine.git import trusting
 
-WORKERS = 8
-"""How many repositories are fetched at the same time. Most of the time is spent waiting for servers."""
+WORKERS = 8  # how many repositories are fetched at the same time. Most of the time is spent waiting for servers
 
 DEFAULT = ".repos"
 
@@ -33,12 +32,7 @@ Say = Callable[[str], object]
 
 @dataclass(frozen=True)
 class Repository:
-    """A fetched repository, with its entry's path, url and version.
-
-    Attributes:
-        named_in: the `.repos` file.
-        moving: whether the version is a branch, and may mean another commit tomorrow.
-    """
+    """A fetched repository. `named_in` is the `.repos` file. A `moving` version is a branch, and may mean another commit tomorrow."""
 
     path: str
     url: str
@@ -50,20 +44,13 @@ class Repository:
 
 @dataclass(frozen=True)
 class Options:
-    """Which `.repos` files count, and what they may name.
+    """Which `.repos` files count, and what they may name."""
 
-    Attributes:
-        recursive: every `.repos` file counts, also those in fetched repositories; otherwise only `file`, below the target.
-        without: a `.repos` file of the target that does not count.
-        pins: commits by path, if there is a lock file; it must have every repository.
-        local: files of the target, and of local repositories, may name repositories of this machine. Those from a server never may.
-    """
-
-    recursive: bool = True
-    file: str = DEFAULT
-    without: str = ""
-    pins: Mapping[str, lock.Pin] | None = None
-    local: bool = False
+    recursive: bool = True  # every file counts, also those in fetched repositories; otherwise only `file`
+    file: str = DEFAULT  # below the target
+    without: str = ""  # a file of the target that does not count
+    pins: Mapping[str, lock.Pin] | None = None  # commits by path: a lock file must have every repository
+    local: bool = False  # files of the target, and of local repositories, may name repositories of this machine
 
 
 def fetch(
@@ -74,14 +61,8 @@ def fetch(
     options: Options = Options(),  # it is frozen
     say: Say = lambda text: None,
 ) -> list[Repository]:
-    """Writes the repositories that a target needs into a folder, and removes others. After an error, the next call completes it.
-
-    Args:
-        out: gets a folder for each path, and nothing else may be in it. The same commits give the same files and modes. Unchanged
-            repositories are not written again. Two files beside it record its content.
-        cache: for the next call. Processes may share it; you may remove it at any time.
-        say: gets a sentence for people, from any thread.
-    """
+    """Writes the repositories that a target needs into the folder `out`, and removes others. After an error, the next call completes
+    it. The same commits give the same files and modes. Processes may share `cache`. Any thread calls `say`."""
     cache.mkdir(mode=0o700, parents=True, exist_ok=True)
     out.mkdir(parents=True, exist_ok=True)
     out, cache = out.resolve(), cache.resolve()

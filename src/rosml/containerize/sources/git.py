@@ -25,13 +25,9 @@ from rosml.machine.git import CLEAN, QUIET
 
 @dataclass(frozen=True)
 class Access:
-    """Access to private repositories. A key for ssh needs known hosts.
+    """Access to private repositories. A key for ssh needs known hosts."""
 
-    Attributes:
-        https_server: the only server that gets user and password, by https unless it is written as `http://…`.
-    """
-
-    https_server: str = ""
+    https_server: str = ""  # the only one that gets user and password, by https unless it is written as `http://…`
     https_user: str = field(default="", repr=False)
     https_password: str = field(default="", repr=False)
     ssh_key: str = field(default="", repr=False)

@@ -29,8 +29,7 @@ VERSIONS = ("branch", "tag", "commit", "ref", "rev", "revision", "hash", "sha", 
 ROSINSTALL = {"local-name": "path", "uri": "url", "version": "version"}
 """The keys of a repository in a file of rosinstall, and our names for them."""
 
-EXTENDS = 10
-"""The most files that may extend each other in a chain."""
+EXTENDS = 10  # the most files that may extend each other in a chain
 
 NULL = "tag:yaml.org,2002:null"
 MERGE = "tag:yaml.org,2002:merge"
@@ -48,17 +47,11 @@ _Pair = tuple[Any, Any]
 
 @dataclass(frozen=True)
 class Entry:
-    """One repository of a `.repos` file.
+    """One repository of a `.repos` file."""
 
-    Attributes:
-        path: its folder, below that for upstream sources.
-        url: without a user and a password, except the user of ssh.
-        version: as written; empty for the default branch.
-    """
-
-    path: str
-    url: str
-    version: str
+    path: str  # its folder, below that for upstream sources
+    url: str  # without a user and a password, except the user of ssh
+    version: str  # as written; empty for the default branch
     file: str
     line: int
 
@@ -91,12 +84,8 @@ def _raise(error: OSError) -> None:
 
 
 def read(paths: Iterable[Path], folder: Path, prefix: str, local: bool) -> list[Entry]:
-    """The repositories that `.repos` files of a folder name. If one file extends another, the other counts as a part of it.
-
-    Args:
-        prefix: the beginning of their paths in messages.
-        local: whether they may name repositories of this machine.
-    """
+    """The repositories that `.repos` files of a folder name. If one file extends another, the other counts as a part of it. Their paths
+    in messages begin with `prefix`; if `local`, they may name repositories of this machine."""
     reader = _Reader(folder, prefix, local)
     entries = {path: reader.entries(path, ()) for path in paths}
     return [entry for path in entries if path.resolve() not in reader.extended for entry in entries[path].values()]

@@ -21,8 +21,7 @@ from rosml.containerize.sources.git import LFS, Failed, Git, Setting
 from rosml.containerize.sources.versions import Version, resolve
 
 _POINTER = b"version https://git-lfs.github.com/spec/v1\n"
-_LARGEST_POINTER = 1024
-"""Bytes."""
+_LARGEST_POINTER = 1024  # bytes
 
 T = TypeVar("T")
 

@@ -12,19 +12,10 @@ from rosml.containerize.sources.git import Git
 
 @dataclass(frozen=True)
 class Version:
-    """A version of a repository.
-
-    Attributes:
-        commit: its hash, abbreviated if the version is an abbreviated hash.
-        ref: the server's name for it; empty for a hash.
-        moving: it may mean another commit tomorrow.
-        also_branch: a tag hides a branch of this name.
-    """
-
-    commit: str
-    ref: str = ""
-    moving: bool = False
-    also_branch: bool = False
+    commit: str  # its hash, abbreviated if the version is an abbreviated hash
+    ref: str = ""  # the server's name for it; empty for a hash
+    moving: bool = False  # it may mean another commit tomorrow
+    also_branch: bool = False  # a tag hides a branch of this name
 
     @property
     def is_exact(self) -> bool:

@@ -25,8 +25,8 @@ from rosml.cli.containerize import containerize, dev
 from rosml.cli.run import container
 from rosml.containerize.build import app, bake_file, dev_folder
 from rosml.containerize.build.result import ShellImage
+from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.packages import workspace
-from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.run.plugins import basic_options
 
 COMMAND = bake_file.SCRIPTS / "containerize/desk_command.sh"

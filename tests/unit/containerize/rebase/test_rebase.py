@@ -438,7 +438,7 @@ def test_an_app_with_an_addon_alone_on_several_accelerators(place: Place) -> Non
     addon(place, "tonight", "cu128")
     with place.rebaser() as rebaser:
         plans = variants.plans(rebaser, app, ["cpu", "cu128"])
-    labels = [next(iter(plan.images.values())).labels for plan in plans]
+    labels = [next(iter(plan.members.values())).image.labels for plan in plans]
     assert [item["io.rosml.stack"] for item in labels] == ["cpu", "cu128", "cpu"]
     assert {item[image.VARIANTS] for item in labels} == {"cpu cu128:525"}
     assert {item[BASE_NAME] for item in labels} == {base}

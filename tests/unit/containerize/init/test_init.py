@@ -30,9 +30,9 @@ from fakes.stubs import HOSTILE
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import init
 from rosml.containerize import inputs as app_inputs
+from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.init import file_texts, forge
 from rosml.containerize.packages import workspace
-from rosml.containerize.packages.ignored import IgnoredFiles
 from rosml.images.builds import base_images
 from rosml.images.image_set.model import ImageSet
 from rosml.machine import git

@@ -12,8 +12,8 @@ import pytest
 
 from rosml import ROOT
 from rosml.base.errors import RosmlError
+from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.packages import workspace
-from rosml.containerize.packages.ignored import IgnoredFiles
 
 
 def write(folder: Path, *names: str) -> None:

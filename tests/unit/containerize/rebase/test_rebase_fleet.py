@@ -53,14 +53,14 @@ def run(
 ) -> dict[str, Outcome]:
     """Runs a fleet; the builder notes what it links, and refuses one app."""
 
-    def link(rebased: Any, _pairs: Any) -> None:
+    def link(rebased: Any, *_: Any) -> None:
         (linked if linked is not None else []).append(rebased.app)
         if refuses and refuses in rebased.app:
             raise RosmlError("the app does not find libgone.so", "build it again", exit_code=2)
 
     entries = [Entry(app=app) if isinstance(app, str) else app for app in apps]
     with Registries() as registries, Rebaser(place.services, registries, place.messages.append) as rebaser:
-        night = Fleet(rebaser, DATE, link, lambda *_: None, say=place.messages.append, screen=screen)
+        night = Fleet(rebaser, DATE, link, say=place.messages.append, screen=screen)
         return {outcome.app.rpartition("/")[2]: outcome for outcome in night.run(entries, dry_run)}
 
 
