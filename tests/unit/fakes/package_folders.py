@@ -22,12 +22,18 @@ TORCH = {"a.py": "import torch\n"}
 WITH_CI = {".github/x": ""}
 
 
-def plain_machine(monkeypatch: pytest.MonkeyPatch, real: ImageSet) -> None:
+@pytest.fixture(autouse=True)
+def machine(monkeypatch: pytest.MonkeyPatch, real: ImageSet) -> None:
     """A machine without a GPU, without ROS and without a local registry."""
     monkeypatch.setattr(load, "load", lambda *_: real)
     monkeypatch.setattr(gpu, "is_nvidia", lambda _: False)
     monkeypatch.setattr(init, "_local", lambda _: ("", False))
     monkeypatch.delenv("ROS_DISTRO", raising=False)
+
+
+@pytest.fixture
+def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(init, "_has_terminal", lambda: True)
 
 
 def manifest(name: str = "arm", build: str = "ament_python", depends: str = "", condition: str = "") -> str:

@@ -305,6 +305,12 @@ def on_stack(place: Place, stack: str, base_facts: Mapping[str, Any] = BASE_FACT
     return place.base(f"ros1-bookworm-core-{stack}", base_facts, BOTH[:1], labels, "rosml/ros-torch")
 
 
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
+    with moving(tmp_path, monkeypatch) as place:
+        yield place
+
+
 @contextmanager
 def moving(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
     """A place for a test."""

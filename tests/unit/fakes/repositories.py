@@ -129,16 +129,17 @@ class Place:
         return executable(self.root / "programs" / name, text)
 
 
-def place_of(root: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     """A target without files, of a user without configuration, whose programs come first."""
     for name in ("home", "target", "programs"):
-        (root / name).mkdir()
-    monkeypatch.setenv("HOME", str(root / "home"))
+        (tmp_path / name).mkdir()
+    monkeypatch.setenv("HOME", str(tmp_path / "home"))
     monkeypatch.setenv("GIT_CONFIG_NOSYSTEM", "1")
-    monkeypatch.setenv("PATH", f"{root}/programs:{os.environ['PATH']}")
+    monkeypatch.setenv("PATH", f"{tmp_path}/programs:{os.environ['PATH']}")
     for name in ("XDG_CONFIG_HOME", "GIT_SSH", "GIT_SSH_COMMAND", "GIT_ASKPASS", "SSH_ASKPASS"):
         monkeypatch.delenv(name, raising=False)
-    return Place(root)
+    return Place(tmp_path)
 
 
 GIT = shutil.which("git")

@@ -21,20 +21,7 @@ from rosml.containerize.ci import inputs as ci_inputs
 from tests import act
 from tests.pages import blocks
 
-# Of docker-ros, at commit 3943707.
-ACTION = """
-    additional-debs-file additional-files-dir additional-pip-file additional-slim-build-args
-    after-dependency-installation-script base-image before-dependency-identification-script
-    before-dependency-installation-script blacklisted-packages-file build-context buildx-attestations cmake-args
-    command dev-image-name dev-image-tag disable-ros-installation enable-checkout enable-checkout-lfs
-    enable-checkout-submodules enable-industrial-ci enable-push-as-latest enable-recursive-additional-debs
-    enable-recursive-additional-pip enable-recursive-after-dependency-installation-script
-    enable-recursive-before-dependency-installation-script enable-recursive-blacklisted-packages
-    enable-recursive-vcs-import enable-singlearch-push enable-slim git-https-password git-https-server git-https-user
-    git-ssh-known-host-keys git-ssh-private-key image-name image-tag platform registry registry-password registry-user
-    rmw-implementation ros-distro slim-build-args slim-image-name slim-image-tag target vcs-import-file
-"""
-ONLY_GITHUB = {"enable-checkout", "enable-checkout-lfs", "enable-checkout-submodules"}
+ONLY_GITHUB = {"enable-checkout", "enable-checkout-lfs", "enable-checkout-submodules", "enable-singlearch-push"}
 
 
 def load(name: str) -> dict[str, Any]:
@@ -48,11 +35,13 @@ def gitlab_documents() -> tuple[dict[str, Any], dict[str, Any]]:
     return header["spec"]["inputs"], jobs
 
 
-def test_every_input_of_docker_ros_reaches_the_command() -> None:
-    assert set(ACTION.split()) <= load(ci_files.ACTION)["inputs"].keys()
+def test_every_input_reaches_the_command() -> None:
+    """Those of docker-ros among them: test_app_inputs.py."""
+    names = {setting.input.name for setting in ci_inputs.SETTINGS}
+    assert load(ci_files.ACTION)["inputs"].keys() == names
     inputs, jobs = gitlab_documents()
     used = set(re.findall(r"\$\[\[ inputs\.([\w-]+) \]\]", (ROOT / ci_files.GITLAB).read_text()))
-    assert used == inputs.keys() and set(ACTION.split()) - ONLY_GITHUB - {"enable-singlearch-push"} <= used
+    assert used == inputs.keys() and names - ONLY_GITHUB <= used
     passed = jobs[".containerize"]["variables"]
     variables = {setting.input.name: setting.input.variable for setting in ci_inputs.SETTINGS}
     assert {f"INPUT_{variables[name]}" for name in used & variables.keys()} <= passed.keys()

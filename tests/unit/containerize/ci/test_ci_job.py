@@ -84,7 +84,6 @@ PULL = {"GITHUB_REF": "refs/pull/7/merge", "GITHUB_REF_NAME": "7/merge", "GITHUB
 NIGHT = {"GITHUB_EVENT_NAME": "schedule", "DEFAULT_BRANCH": ""}
 LATEST = {"enable-push-as-latest": "true"}
 JAZZY = {"image-tag": "jazzy"}
-OTHER = {"CI_COMMIT_REF_NAME": "feat/x", "CI_COMMIT_BRANCH": "feat/x"}
 REQUEST = {"CI_COMMIT_REF_NAME": "feat/x", "CI_COMMIT_BRANCH": ""}
 RELEASE = {"CI_COMMIT_REF_NAME": "v1", "CI_COMMIT_BRANCH": "", "CI_COMMIT_TAG": "release/v1"}
 
@@ -94,17 +93,15 @@ RELEASE = {"CI_COMMIT_REF_NAME": "v1", "CI_COMMIT_BRANCH": "", "CI_COMMIT_TAG": 
     [
         (GITHUB, {}, {}, ["latest"], ["latest-dev"]),
         (GITHUB, {}, {**JAZZY, **LATEST}, ["jazzy", "latest"], ["jazzy-dev", "latest-dev"]),
-        (GITHUB, {}, {"dev-image-tag": "work"}, ["latest"], ["work"]),
         (GITHUB, NIGHT, {}, ["latest"], ["latest-dev"]),
         (GITHUB, BRANCH, LATEST, ["latest_feat-lidar-2_ci"], ["latest-dev_feat-lidar-2_ci"]),
         (GITHUB, PULL, {}, ["latest_feat-lidar-2_ci"], ["latest-dev_feat-lidar-2_ci"]),
         # Of an event pull_request_target, whose ref is the default branch.
         (GITHUB, {"GITHUB_HEAD_REF": "main"}, {}, ["latest_main_ci"], ["latest-dev_main_ci"]),
         (GITHUB, TAG, {}, ["v1.2", "latest-v1.2"], ["v1.2-dev", "latest-dev-v1.2"]),
-        (GITHUB, TAG, JAZZY, ["jazzy-v1.2"], ["jazzy-dev-v1.2"]),
+        (GITHUB, TAG, {**JAZZY, "dev-image-tag": "work"}, ["jazzy-v1.2"], ["work-v1.2"]),
         (GITHUB, TAG, {**JAZZY, **LATEST}, ["v1.2", "jazzy-v1.2"], ["v1.2-dev", "jazzy-dev-v1.2"]),
         (GITLAB, {}, {}, ["latest"], ["latest-dev"]),
-        (GITLAB, OTHER, {}, ["latest_feat-x_ci"], ["latest-dev_feat-x_ci"]),
         (GITLAB, REQUEST, {}, ["latest_feat-x_ci"], ["latest-dev_feat-x_ci"]),
         (GITLAB, RELEASE, {}, ["release-v1", "latest-release-v1"], ["release-v1-dev", "latest-dev-release-v1"]),
     ],
@@ -244,9 +241,7 @@ def test_no_other_file_says_what_a_job_made(place: str, machine: Machine) -> Non
     assert images[0]["digest"] not in machine.entries(image).values()
 
 
-@pytest.mark.parametrize(
-    "content", ["{}", "[[]]", "[" * 99_999, '[{"target": "run"}]', "\xff", None], ids=lambda text: str(text)[:20]
-)
+@pytest.mark.parametrize("content", ["[" * 99_999, '[{"target": "run"}]', None], ids=lambda text: str(text)[:20])
 def test_a_damaged_file_of_a_job_is_refused(content: str | None, machine: Machine) -> None:
     file = machine.build(platform="amd64")[1] / ci_job.FILE
     file.unlink()

@@ -16,10 +16,11 @@ from fakes.package_folders import (
     WITH_CI,
     called,
     chosen,
+    machine,
     manifest,
     package,
-    plain_machine,
     snapshot,
+    terminal,
     values_of,
     write,
 )
@@ -30,18 +31,10 @@ from rosml.containerize.packages.conditions import holds
 from rosml.images.image_set.model import ImageSet
 from rosml.run.plugins import gpu
 
-
-@pytest.fixture(autouse=True)
-def machine(monkeypatch: pytest.MonkeyPatch, real: ImageSet) -> None:
-    plain_machine(monkeypatch, real)
+__all__ = ["machine", "terminal"]
 
 
 # ---- What the folder says --------------------------------------------------------------------------------------------
-
-
-@pytest.fixture
-def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(init, "_has_terminal", lambda: True)
 
 
 @pytest.mark.parametrize(
@@ -49,7 +42,6 @@ def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     [
         ({}, "jazzy base none"),
         (package(build="catkin"), "ros1-bookworm base none"),
-        (package(build="", depends="rospy"), "ros1-bookworm base none"),
         (package(build="cmake", depends="rclcpp"), "jazzy base none"),
         (package(condition="$ROS_DISTRO == humble"), "humble base none"),
         (package(build="catkin", condition="$ROS_DISTRO == noetic"), "ros1-bookworm base none"),
@@ -57,14 +49,11 @@ def terminal(monkeypatch: pytest.MonkeyPatch) -> None:
         (TORCH, "jazzy base torch"),
         ({"a.py": "import os, torch.nn as nn\n"}, "jazzy base torch"),
         ({"a.py": "# import torch\nfrom tf import x\n"}, "jazzy base none"),
-        ({"a.py": "import torchvision\n"}, "jazzy base torch"),
         (package(depends="python3-pytorch-pip"), "jazzy base torch"),
-        (package(depends="tf tf2_ros torch_msgs") | {"m/package.xml": manifest("x")}, "jazzy base torch"),
         ({"a/package.xml": manifest(depends="torch_msgs"), "b/package.xml": manifest("torch_msgs")}, "jazzy base none"),
         ({"CMakeLists.txt": "find_package(Torch REQUIRED)\n"}, "jazzy base torch"),
         ({"setup.py": "setup(install_requires=['tensorflow>=2'])\n"}, "jazzy base tensorflow"),
         ({"requirements.txt": "torch==2.1\ntensorflow\n"}, "jazzy base ml"),
-        ({"a.cu": "#include <cuda_runtime.h>\n"}, "jazzy base none"),
         ({"a.py": "import cupy as cp\n"}, "jazzy base cuda"),
         ({"a.cpp": "#include <cuda.h>\n#include <torch/script.h>\n"}, "jazzy base torch"),
         ({"requirements.txt": "onnxruntime-gpu\n"}, "jazzy base cuda"),
@@ -94,10 +83,8 @@ def test_a_proposal_can_be_built_where_another_one_cannot(tmp_path: Path, real: 
     [
         ({".git/HEAD": "ref: refs/heads/humble-devel\n"}, "", "humble"),
         ({".git/HEAD": "ref: refs/heads/feature/kilted_x\n"}, "", "kilted"),
-        ({".git/HEAD": f"{'1' * 40}\n"}, "", "jazzy"),
         ({".git/HEAD": "ref: refs/heads/foxy\n"}, "", "jazzy"),
         ({".git/HEAD": "ref: refs/heads/humble\n"}, "rolling", "rolling"),
-        ({}, "noetic", "jazzy"),
         ({".github/workflows/ci.yml": "container: ros:humble-ros-base\n"}, "", "humble"),
         ({".github/workflows/a.yml": "humble", ".github/workflows/b.yml": "jazzy kilted"}, "", "jazzy"),
         ({"Dockerfile": "FROM osrf/ros:kilted-desktop\n"}, "", "kilted"),
@@ -114,7 +101,6 @@ def test_where_a_distribution_is_named(
 @pytest.mark.parametrize(
     ("driver", "words", "stack"),
     [
-        ("580.1", [], "cu130"),
         ("570.86", [], "cu128"),
         ("", [], "cu130"),
         ("390.1", [], "cpu"),
@@ -166,16 +152,14 @@ def test_ros_from_wheels_builds_python_alone(tmp_path: Path, files: dict[str, st
     ("text", "does_hold"),
     [
         ("", True),
-        ("$ROS_VERSION == 2", True),
         ("$ROS_VERSION==1", False),
         ("$ROS_VERSION == 1 or $ROS_DISTRO == 'jazzy'", True),
         ("$ROS_VERSION == 1 or $ROS_VERSION == 2 and $ROS_DISTRO == foxy", False),
         ("($ROS_VERSION == 1 or $ROS_VERSION == 2) and $ROS_DISTRO == jazzy", True),
         ('$ROS_DISTRO >= "humble"', True),
-        ("$ROS_DISTRO < humble", False),
         ("$ROS_DISTRO != jazzy", False),
         ("$OTHER == ''", True),
-        *((broken, True) for broken in ("$ROS_VERSION ==", "a b c", "(", "$ROS_VERSION == 1)", "((" * 5_000, "$X = 1")),
+        *((broken, True) for broken in ("$ROS_VERSION ==", "a b c", "(", "$ROS_VERSION == 1)", "((" * 400, "$X = 1")),
     ],
 )
 def test_conditions(text: str, does_hold: bool) -> None:
@@ -202,6 +186,7 @@ def test_lists_of_upstream_repositories_and_requirements(tmp_path: Path) -> None
     [
         ({"package.xml": "<x/>"}, "", "its first element is <x>, not <package>"),
         ({"package.xml": '<?xml version="1.0" encoding="x-y"?><package/>'}, "", "package.xml:1: no XML"),
+        ({"x/COLCON_IGNORE": "", "x/package.xml": manifest()}, "", "there is no package.xml in"),
         (
             {"a/package.xml": manifest("a"), "b/package.xml": manifest("b", "catkin")},
             "",
@@ -210,20 +195,16 @@ def test_lists_of_upstream_repositories_and_requirements(tmp_path: Path) -> None
         ({}, "--distribution jazy", "no distribution named 'jazy'; did you mean 'jazzy'"),
         ({}, "--distribution noetic", "package.xml is not for noetic, which is ROS 1"),
         ({}, "--component robot", "has no robot metapackage"),
-        ({}, "--component core-run", "core-run only runs programs"),
-        ({}, "--framework trch", "no framework named 'trch'; did you mean 'torch'"),
         ({}, "--framework tf --distribution lyrical", "has a wheel for Python 3.14"),
         ({}, "--framework torch --accelerator cu121", "torch 2.4.1 has no wheel"),
         ({}, "--accelerator tpu", "no accelerator named 'tpu'"),
         ({}, "--framework torch --accelerator cpu --gpu", "not what you ask for"),
-        ({}, "--framework cuda --cpu", "has no cuda for the CPU"),
         ({}, "--framework none --gpu", "none computes nothing on a GPU"),
         ({}, '--command "a \'b"', "no closing quotation"),
         ({}, "--registry https://x/y", "no place for images"),
         ({}, "--registry ghcr.io/me/rosml --ci jenkins", "no forge named 'jenkins'"),
         ({}, "--ci github", "do not reach this machine's images"),
         ({}, "--ci github --registry quay.io/me/x", "nobody knows where on github"),
-        ({}, "--ci gitlab --registry ghcr.io/me/rosml", "nobody knows where on gitlab"),
     ],
 )
 def test_what_is_wrong_has_a_remedy_and_nothing_is_written(
@@ -233,10 +214,6 @@ def test_what_is_wrong_has_a_remedy_and_nothing_is_written(
     error: Any = called(tmp_path, "--yes", *shlex.split(words), code=2).exception
     assert re.search(says, error.message), error.message
     assert error.remedy and snapshot(tmp_path) == before
-
-
-def test_a_folder_without_a_package(tmp_path: Path) -> None:
-    assert "there is no package.xml in" in str(called(tmp_path, code=2).exception)
 
 
 def test_an_end_of_life_is_a_warning(tmp_path: Path) -> None:
@@ -268,21 +245,17 @@ def test_a_library_that_no_manifest_names(tmp_path: Path) -> None:
 WORDS = [
     ("distribution", "noble", "jazzy"),
     ("distribution", "Ubuntu 22.04", "humble"),
-    ("distribution", "ros2-kilted", "kilted"),
     ("distribution", "ROS 2", "jazzy"),
     ("distribution", "bookworm", "jazzy-wheels"),
     ("component", "ros-base", "base"),
     ("component", "desktop_full", "desktop-full"),
-    ("framework", "pytorch", "torch"),
-    ("framework", "tf", "tensorflow"),
-    ("framework", "torch and tensorflow", "ml"),
+    ("framework", "pytorch and tf", "ml"),
     ("framework", "gpu", "cuda"),
     ("framework", "no", "none"),
     ("accelerator", "gpu", "cu130"),
     ("accelerator", "CUDA 12.8", "cu128"),
     ("accelerator", "none", "cpu"),
     ("ci", "GitHub Actions", "github"),
-    ("ci", "no", "none"),
 ]
 
 
@@ -297,11 +270,6 @@ def test_words_of_people_are_understood_on_the_command_line_and_as_answers(
     before = len([*questions, "command"]) if question == "ci" else questions.index(question)
     done = called(tmp_path, "--dry-run", *options, *REGISTRY, typed="\n" * before + f"{word}\n" + "\n" * 9)
     assert re.search(rf"^{question} +{value} ", done.stdout, re.MULTILINE), (done.stdout, done.stderr)
-
-
-def test_debian_has_both(tmp_path: Path) -> None:
-    write(tmp_path, {}, build="catkin")
-    assert chosen(tmp_path, "--distribution", "bookworm")["distribution"] == "ros1-bookworm"
 
 
 def test_a_terminal_is_asked(tmp_path: Path, terminal: None) -> None:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from click import Command
 from click.testing import CliRunner
 
-from fakes.rebasing import BOTH, FILES, App, Place, addon, app_with_addon, moving, on_stack
+from fakes.rebasing import BOTH, FILES, App, Place, addon, app_with_addon, on_stack, place
 from rosml.base import clock
 from rosml.base.errors import RosmlError
 from rosml.cli import checkout
@@ -19,12 +18,12 @@ from rosml.cli.images import publish
 from rosml.images.image_set.labels import TITLE
 from rosml.machine.services import Services
 
+__all__ = ["place"]
 
-@pytest.fixture
-def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
-    with moving(tmp_path, monkeypatch) as place:
-        monkeypatch.setattr(Services, "load", lambda *_, **__: place.services)
-        yield place
+
+@pytest.fixture(autouse=True)
+def services(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Services, "load", lambda *_, **__: place.services)
 
 
 def called(*arguments: str, program: Command = rebase.main) -> tuple[int, str, str]:
@@ -54,6 +53,11 @@ def called(*arguments: str, program: Command = rebase.main) -> tuple[int, str, s
         (["APP", "--tag", ""], "--tag is an empty word"),
         (["APP", "--variants", ""], "0 variants are named"),
         (["BASE"], "is no app that rosml containerize built"),
+        (["me/other:x"], "there is no app me/other:x"),
+        (["DIGEST"], "names the app by its digest"),
+        (["APP", "--tag", "DIGEST"], "is a digest"),
+        (["APP", "--base", "NONE"], "there is no image"),
+        (["APP", "--variants", "cpu,cu130"], "has no framework"),
         (["--all", "FOLDER"], "FOLDER"),
         (["a B"], "is no reference"),
         (["APP", "--tag", "candidate"], "is no reference"),
@@ -64,8 +68,10 @@ def test_wrong_use(place: Place, tmp_path: Path, arguments: list[str], says: str
     (tmp_path / "FOLDER").mkdir()
     (tmp_path / "FILE").write_text("apps: [{app: 'a/b:c'}]")
     base = place.base()
-    words = {name: str(tmp_path / name) for name in ("FILE", "FOLDER")} | {"BASE": base}
-    words["APP"] = place.app(base) if "APP" in arguments else ""
+    words = {name: str(tmp_path / name) for name in ("FILE", "FOLDER")} | {"BASE": base, "NONE": f"{base}-none"}
+    if not {"APP", "DIGEST"}.isdisjoint(arguments):
+        words["APP"] = app = place.app(base)
+        words["DIGEST"] = f"{app.rpartition(':')[0]}@{place.digest(app)}"
     code, out, message = called(*(words.get(item, item) for item in arguments))
     assert (code, out) == (2, "") and says in message
 

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import gzip
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from fakes.rebasing import BOTH, App, Place, moving
+from fakes.rebasing import BOTH, App, Place, place
 from rosml.base.errors import RosmlError
 from rosml.containerize.rebase import trial
 from rosml.containerize.rebase.image import as_buildkit
 from rosml.delivery.delta import for_platform
-from rosml.images.join import file_lists
 from rosml.images.join.transfer import Transfer
 from rosml.machine import exported
 from rosml.machine.services import Services
@@ -25,10 +23,7 @@ from rosml.registry import oci, references
 Change = Callable[[dict[str, Any]], object]
 
 
-@pytest.fixture
-def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
-    with moving(tmp_path, monkeypatch) as place:
-        yield place
+__all__ = ["place"]
 
 
 def altered(place: Place, reference: str, config: Change = bool, manifest: Change = bool) -> str:
@@ -87,21 +82,6 @@ def test_what_others_set_in_an_app_is_not_lost(place: Place, change: Change, say
     if is_gone:
         place.registry.delete("rosml/ros", place.digest(base))
     assert says in place.refused(app, new)
-
-
-def test_lists_of_many_parts_hide_no_file(place: Place) -> None:
-    """Of an app on an image with a framework: its own list, and those of the ROS image and of each part."""
-    texts = [gzip.compress(f"file-{number}\n".encode(), mtime=0) for number in range(7)]
-    place.base()
-    for data in texts:
-        place.registry.put_blob("rosml/ros", data)
-    more = [oci.descriptor(file_lists.MEDIA_TYPE, data) for data in texts[1:]]
-    image = place.image("rosml/ros", "core")
-    place.registry.attach_with_layers(
-        "rosml/ros", image.descriptor, file_lists.ARTIFACT, texts[0], file_lists.MEDIA_TYPE, more
-    )
-    files = file_lists.Lists().of(place.registry, "rosml/ros", image.digest)
-    assert files and {f"file-{number}" for number in range(7)} <= files.entries
 
 
 # ---- Images that say something else ----------------------------------------------------------------------------------

@@ -9,18 +9,14 @@ import subprocess
 import sys
 import threading
 import time
-from pathlib import Path
 
 import pytest
 
-from fakes.repositories import GIT, NOBODY, Place, commit, git, listing, pin, place_of, repos, with_submodule
+from fakes.repositories import GIT, NOBODY, Place, commit, git, listing, pin, place, repos, with_submodule
 from rosml.base.file_lock import turn
 from rosml.containerize.sources.fetch import Options, Repository, fetch
 
-
-@pytest.fixture
-def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
-    return place_of(tmp_path, monkeypatch)
+__all__ = ["place"]
 
 
 def test_every_repos_file_counts_until_nothing_is_new(place: Place) -> None:

@@ -20,16 +20,13 @@ from pathlib import Path
 import pytest
 import trustme
 
-from fakes.repositories import GIT, NOBODY, SECRET, Place, commit, git, place_of, repos, with_submodule
+from fakes.repositories import GIT, NOBODY, SECRET, Place, commit, git, place, repos, with_submodule
 from fakes.stubs import executable
 from rosml.base import web
 from rosml.containerize.sources import fetch as sources
 from rosml.containerize.sources.git import Access, Failed, opened
 
-
-@pytest.fixture
-def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
-    return place_of(tmp_path, monkeypatch)
+__all__ = ["place"]
 
 
 def no_secret(place: Place, secret: str = SECRET) -> None:
@@ -86,7 +83,7 @@ class _Backend(http.server.BaseHTTPRequestHandler):
             "HTTP_CONTENT_ENCODING": self.headers.get("Content-Encoding", ""),
             "GIT_PROTOCOL": self.headers.get("Git-Protocol", ""),
         }
-        body = self._body()
+        body = self.rfile.read(int(self.headers.get("Content-Length", 0)))
         done = subprocess.run(["git", "http-backend"], input=body, env=environment, capture_output=True, check=True)
         head, _, content = done.stdout.partition(b"\r\n\r\n")
         fields = dict(line.split(": ", 1) for line in head.decode().split("\r\n"))
@@ -98,15 +95,6 @@ class _Backend(http.server.BaseHTTPRequestHandler):
         self.wfile.write(content)
 
     do_POST = do_GET
-
-    def _body(self) -> bytes:
-        if self.headers.get("Transfer-Encoding") != "chunked":
-            return self.rfile.read(int(self.headers.get("Content-Length", 0)))
-        body = b""
-        while size := int(self.rfile.readline(), 16):
-            body += self.rfile.read(size)
-            self.rfile.readline()
-        return body
 
     def log_message(self, format: str, *args: object) -> None:
         """Says nothing."""
