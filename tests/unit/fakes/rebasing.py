@@ -294,8 +294,8 @@ def app_with_addon(place: Place, base: str, parts: Sequence[str]) -> str:
     with Joiner(lambda _: place.registry) as joiner:
         joined = joiner.join(base, parts, f"{place.server.address}/me/joined:x", BOTH[:1]).reference
     uses = library("docker-ros/ws/install/lib/node", needed=["libgraphruntime.so.1"], uses=["OrtGetApiBase"])
-    own_facts = changed(OWN, libraries=[uses])
-    return place.app(joined, facts=own_facts, labels={BASE_NAME: base, BASE_DIGEST: place.digest(base)})
+    app_facts = changed(OWN, libraries=[uses])
+    return place.app(joined, facts=app_facts, labels={BASE_NAME: base, BASE_DIGEST: place.digest(base)})
 
 
 def on_stack(place: Place, stack: str, base_facts: Mapping[str, Any] = BASE_FACTS, driver: str = "") -> str:

@@ -35,7 +35,7 @@ def _job() -> tuple[Job, dict[str, str], Path]:
     from rosml.containerize.ci import inputs as ci_inputs
     from rosml.containerize.ci import job as ci_job
 
-    commit, inputs = ci_job.commit(os.environ), ci_inputs.given_inputs(os.environ)
+    commit, inputs = ci_job.commit(os.environ), ci_inputs.inputs_of(os.environ)
     folder = (commit.folder / inputs.get("build-context", ".")).resolve()
     for sentence in app_inputs.answers(folder, {name.upper().replace("-", "_"): text for name, text in inputs.items()}):
         say(sentence)
@@ -49,7 +49,7 @@ def login() -> None:
 
     from rosml.containerize.ci import inputs as ci_inputs
 
-    inputs = ci_inputs.given_inputs(os.environ)
+    inputs = ci_inputs.inputs_of(os.environ)
     registry, user = inputs.get("registry", ""), inputs.get("registry-user", "")
     try:
         done = subprocess.run(

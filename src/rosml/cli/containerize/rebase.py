@@ -233,7 +233,7 @@ def _move_fleet(rebaser: Rebaser, file: Path, call: Call) -> None:
     from rosml.containerize.rebase import fleet
 
     date, entries = now(), fleet.read(file)
-    screen = _screen(call.fixes) if call.fixes else None
+    screen = _screen(call.fixes, rebaser.services) if call.fixes else None
     run = fleet.Fleet(rebaser, date, _try, not call.no_sbom, say, screen)
     outcomes = run.run(entries, call.dry_run)
     places = fleet.places(outcomes)
@@ -250,17 +250,16 @@ def _move_fleet(rebaser: Rebaser, file: Path, call: Call) -> None:
         raise SystemExit(1)
 
 
-def _screen(name: str) -> Callable[[bytes, str], str]:
+def _screen(name: str, services: Services) -> Callable[[bytes, str], str]:
     from datetime import UTC, datetime
 
     from rosml.containerize.rebase.screen import Screen, require_advisory
     from rosml.images.scan import policy
     from rosml.images.scan.trivy import Trivy
     from rosml.machine import trust
-    from rosml.machine.services import Services
 
     require_advisory(name)  # before the database is fetched
-    trivy = Trivy.find(ROOT, environment=trust.trusting(Services.load(ROOT, required=False)))
+    trivy = Trivy.find(ROOT, environment=trust.trusting(services))
     rules = policy.load(ROOT / "scan.yaml").policy.database
     trivy.fetch(rules, say=say).require_fresh(rules, datetime.now(UTC))
     return Screen(name, trivy.scan)

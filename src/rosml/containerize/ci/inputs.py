@@ -60,7 +60,7 @@ SETTINGS = (*(Setting(item, *_DEFAULTS.get(item.name, ())) for item in app_input
 SECRET = (*app_inputs.SECRET, "registry-password")
 
 
-def given_inputs(environment: Mapping[str, str]) -> dict[str, str]:
+def inputs_of(environment: Mapping[str, str]) -> dict[str, str]:
     """The inputs that somebody gives, by name. If a forge has inputs beside variables, it passes both: `INPUT_TARGET` counts before
     `TARGET`, and `DEFAULT_TARGET` after it."""
     texts = {}

@@ -108,9 +108,7 @@ class _Ready:
 
 
 @dataclass(frozen=True)
-class _Pushed:
-    plan: Plan
-    moves: tuple[Move, ...]
+class _Pushed(_Ready):
     rebased: Rebased
 
 
@@ -250,7 +248,7 @@ class Fleet:
                 rebased = replace(rebased, linked=True)
         except RosmlError as error:
             return _stopped(plan.app_name, error)
-        return _Pushed(plan, ready.moves, rebased)
+        return _Pushed(ready.entry, plan, ready.moves, rebased)
 
     def _record(self, pushed: Sequence[_Pushed]) -> None:
         by_place: defaultdict[tuple[str, str], list[Move]] = defaultdict(list)

@@ -54,7 +54,7 @@ def test_an_input_counts_before_a_variable_and_before_the_forges_default() -> No
     environment = {"INPUT_TARGET": "dev", "TARGET": "run", "DEFAULT_TARGET": "run", "INPUT_PLATFORM": ""}
     environment |= {"PLATFORM": "arm64", "DEFAULT_PLATFORM": "amd64", "DEFAULT_REGISTRY": "registry.example.org"}
     inputs = {"target": "dev", "platform": "arm64", "registry": "registry.example.org"}
-    assert ci_inputs.given_inputs(environment) == inputs
+    assert ci_inputs.inputs_of(environment) == inputs
 
 
 def test_a_flag_that_only_ci_has_is_true_or_false() -> None:

@@ -248,8 +248,8 @@ def test_only_apps_with_a_vulnerability_move(place: Place) -> None:
     place.sbom("rosml/ros", base, ["libssl3@3.0.1"])
     with_ssl = changed(OWN, packages=[package("libssl3", "3.0.1", files=[])])
     names = {
-        name: put(place, base, name, facts=own_facts)
-        for name, own_facts in (("below", OWN), ("itself", with_ssl), ("fixed", OWN))
+        name: put(place, base, name, facts=app_facts)
+        for name, app_facts in (("below", OWN), ("itself", with_ssl), ("fixed", OWN))
     }
     for name, version in (("below", "3.0.1"), ("itself", "3.0.1"), ("fixed", "3.0.2")):
         place.sbom(f"me/{name}", names[name], [f"libssl3@{version}"])

@@ -200,7 +200,7 @@ WITH_TABULATE = packages(PYTHON3, TABULATE)["base_facts"]
 
 
 @pytest.mark.parametrize(
-    ("own_facts", "says", "new"),
+    ("app_facts", "says", "new"),
     [
         ({"imports": [{"module": "torch", "file": "lib/node.py"}]}, "lib/node.py imports torch", {"files": (*FILES, TORCH)}),
         ({"imports": [{"module": "_bz2", "file": "a.py"}]}, "a.py imports _bz2", {"files": (*FILES, BZ2)}),
@@ -213,10 +213,10 @@ WITH_TABULATE = packages(PYTHON3, TABULATE)["base_facts"]
     ],
 )  # fmt: skip
 def test_what_the_app_took_from_its_base_image_has_to_be_in_the_new_one(
-    place: Place, own_facts: dict[str, Any], says: str, new: dict[str, Any]
+    place: Place, app_facts: dict[str, Any], says: str, new: dict[str, Any]
 ) -> None:
     """It is in no layer of the app. Lists of files and packages say so: no image is unpacked for that."""
-    app = place.app(place.base(base_facts=WITH_TABULATE), facts=changed(OWN, **own_facts))
+    app = place.app(place.base(base_facts=WITH_TABULATE), facts=changed(OWN, **app_facts))
     assert f"{says}, which the base image lacks" in place.refused(app, place.base("newer"))
     assert place.rebase(app, place.base("newest", **new)).moved
 
