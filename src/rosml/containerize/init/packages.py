@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import os
 import re
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -58,46 +58,43 @@ def find(folder: Path, libraries: Libraries) -> FolderScan:
     manifests = manifest.read(folder, ignored)
     if not manifests:
         raise workspace.none_in(folder)
-    budget = iter(range(MOST_FILES))
-    scans = [_scan(package, folder, ignored, libraries, budget) for package, _ in manifests]
-    paths = dict.fromkeys([Path(PIP), *(package.folder / PIP for package, _ in manifests)])
-    pip = [str(path) for path in paths if (folder / path).is_file() and within.is_inside(folder / path, folder)]
-    pip = [name for name in pip if name.isprintable()]
-    mentions = [_in_manifests(manifests, libraries), *(of_package for _, of_package in scans)]
-    if PIP in pip:
-        mentions.append(_in_text(folder / PIP, PIP, _text(folder / PIP), libraries))
-    lists = (file for file in _files(folder, ignored) if REPOS in (file.suffix, file.name))
-    repos = sorted(name for file in lists if (name := str(file.relative_to(folder))).isprintable())
-    return FolderScan(tuple(package for package, _ in scans), _first(mentions), tuple(pip), tuple(repos))
-
-
-Mentions = Mapping[str, Mention]
-
-
-def _first(mentions: Iterable[Mentions]) -> Mentions:
-    first: dict[str, Mention] = {}
-    for item in mentions:
-        first = {**item, **first}
-    return first
-
-
-def _in_manifests(manifests: Sequence[tuple[Package, str]], libraries: Libraries) -> Mentions:
-    names = {package.name for package, _ in manifests}
-    mentions: dict[str, Mention] = {}
+    mentions, names = _Mentions(libraries), {package.name for package, _ in manifests}
     for package, text in manifests:
         for key in sorted(package.needs - names):
-            line = text.count("\n", 0, max(text.find(f">{key}<"), 0)) + 1
-            for library in _meant(libraries, key):
-                mentions.setdefault(library, Mention(f"{package.manifest}:{line}", key, by_manifest=True))
-    return mentions
+            mentions.add(key, text, max(text.find(f">{key}<"), 0), package.manifest, by_manifest=True)
+    budget = iter(range(MOST_FILES))
+    packages = tuple(_scanned(package, folder, ignored, mentions, budget) for package, _ in manifests)
+    paths = dict.fromkeys([Path(PIP), *(package.folder / PIP for package in packages)])
+    pip = [str(path) for path in paths if (folder / path).is_file() and within.is_inside(folder / path, folder)]
+    pip = [name for name in pip if name.isprintable()]
+    if PIP in pip:
+        _read(folder / PIP, PIP, mentions)
+    lists = (file for file in _files(folder, ignored) if REPOS in (file.suffix, file.name))
+    repos = sorted(name for file in lists if (name := str(file.relative_to(folder))).isprintable())
+    return FolderScan(packages, mentions, tuple(pip), tuple(repos))
 
 
-def _scan(
-    package: Package, folder: Path, ignored: IgnoredFiles, libraries: Libraries, budget: Iterator[int]
-) -> tuple[Package, Mentions]:
-    """A package with what its files say, and what they mention. `budget` has an item for each source file that may still be read."""
+class _Mentions(dict[str, Mention]):
+    """Where each library is named first."""
+
+    def __init__(self, libraries: Libraries) -> None:
+        super().__init__()
+        self._libraries = libraries
+
+    def add(self, name: str, text: str, place: int, path: str, by_manifest: bool = False) -> None:
+        """Adds the libraries that a word means, as a whole or by a piece of it: `python3-pytorch-pip`. `path` is shown to people."""
+        pieces = {name.lower(), *re.split(r"[^a-z0-9]+", name.lower())}
+        for library, words in self._libraries.items():
+            if library not in self and not pieces.isdisjoint(words):
+                line = text.count("\n", 0, place) + 1
+                self[library] = Mention(f"{path}:{line}", name, by_manifest)
+
+
+def _scanned(
+    package: Package, folder: Path, ignored: IgnoredFiles, mentions: _Mentions, budget: Iterator[int]
+) -> Package:
+    """A package with what its files say. `budget` has an item for each source file that may still be read."""
     languages, launches, scripts = set[str](), list[str](), list[str]()
-    mentions: Mentions = {}
     for file in _files(folder / package.folder, ignored):
         in_launch = file.parent.name == "launch"
         if file.name not in _SETUP and not in_launch:
@@ -105,31 +102,21 @@ def _scan(
         if in_launch and _LAUNCH.search(file.name):
             launches.append(file.name)
         if _patterns(file) and next(budget, None) is not None:
-            text = _text(file)
-            mentions = _first([mentions, _in_text(file, str(file.relative_to(folder)), text, libraries)])
+            text = _read(file, str(file.relative_to(folder)), mentions)
             scripts += _SCRIPT.findall(text) if file.name in _SETUP else ()
     ordered = tuple(name for name in LANGUAGES if name in languages)
     scripts = list(dict.fromkeys(scripts))
-    return replace(package, languages=ordered, launches=tuple(sorted(launches)), scripts=tuple(scripts)), mentions
+    return replace(package, languages=ordered, launches=tuple(sorted(launches)), scripts=tuple(scripts))
 
 
-def _text(file: Path) -> str:
+def _read(file: Path, path: str, mentions: _Mentions) -> str:
+    text = ""
     with contextlib.suppress(OSError):
-        return files.limited(file, LARGEST).decode("utf-8", "replace")
-    return ""
-
-
-def _in_text(file: Path, path: str, text: str, libraries: Libraries) -> Mentions:
-    """What a file's text mentions first; `path` is shown to people."""
-    mentions: dict[str, Mention] = {}
+        text = files.limited(file, LARGEST).decode("utf-8", "replace")
     for match in (match for pattern in _patterns(file) for match in pattern.finditer(text)):
         for word in match[1].split(","):
-            name = word.strip().partition(" ")[0]
-            for library in _meant(libraries, name):
-                if library not in mentions:
-                    line = text.count("\n", 0, match.start(1)) + 1
-                    mentions[library] = Mention(f"{path}:{line}", name, by_manifest=False)
-    return mentions
+            mentions.add(word.strip().partition(" ")[0], text, match.start(1), path)
+    return text
 
 
 def _files(place: Path, ignored: IgnoredFiles) -> Iterator[Path]:
@@ -169,9 +156,3 @@ def _patterns(file: Path) -> tuple[re.Pattern[str], ...]:
     if file.suffix in LANGUAGES["Python"]:
         return _PYTHON
     return _INCLUDES if file.suffix in LANGUAGES["C++"] else ()
-
-
-def _meant(libraries: Libraries, word: str) -> Iterator[str]:
-    """The libraries that a word names, as a whole or by a piece of it: `python3-pytorch-pip`."""
-    pieces = {word.lower(), *re.split(r"[^a-z0-9]+", word.lower())}
-    return (library for library, words in libraries.items() if pieces.intersection(words))

@@ -12,7 +12,7 @@ from enum import IntEnum
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.containerize.rebase.attachments import BaseContents, normalized
-from rosml.containerize.rebase.debian import PackageSet, relations
+from rosml.containerize.rebase.debian import Budget, PackageSet, relations
 from rosml.containerize.rebase.image import AGAIN
 from rosml.images.image_set.labels import PREFIX
 from rosml.images.join import facts as join_facts
@@ -239,22 +239,10 @@ def _part_releases(app: Facts, app_labels: Mapping[str, str], base_labels: Mappi
 # ---- Libraries -------------------------------------------------------------------------------------------------------
 
 
-class _Steps:
-    """Counts libraries that are looked at; more than STEPS raise ValueError."""
-
-    def __init__(self) -> None:
-        self._remaining = STEPS
-
-    def take(self, count: int) -> None:
-        self._remaining -= count
-        if self._remaining < 0:
-            raise ValueError("libraries name each other more often than any real ones")
-
-
 class _Libraries:
-    def __init__(self, libraries: Sequence[Library], machine: Sequence[int], steps: _Steps) -> None:
-        steps.take(len(libraries))
-        self._steps = steps
+    def __init__(self, libraries: Sequence[Library], machine: Sequence[int], budget: Budget) -> None:
+        budget.take(len(libraries))
+        self._budget = budget
         self._by_name: defaultdict[str, list[Library]] = defaultdict(list)
         usable = [library for library in libraries if list(library.machine) == list(machine)]
         # Python, whose extensions use its symbols.
@@ -278,25 +266,25 @@ class _Libraries:
             if name not in loaded and name in self:
                 loaded[name] = self._by_name[name]
                 needed = [other for library in loaded[name] for other in library.needed]
-                self._steps.take(len(loaded[name]) + len(needed))
+                self._budget.take(len(loaded[name]) + len(needed))
                 queue += needed
         return loaded
 
     def lacking(self, symbols: Sequence[str], names: Iterable[str]) -> list[str]:
         """The symbols that neither libraries with these names, nor those loaded with them, nor Python export."""
         libraries = [library for group in self.closure(names).values() for library in group] + self._interpreters
-        self._steps.take(len(libraries) * (1 + len(symbols) // 10))
+        self._budget.take(len(libraries) * (1 + len(symbols) // 10))
         return join_facts.lacking(symbols, libraries)
 
 
 def _libraries(app: Facts, old_facts: Facts | None, new: Facts) -> Iterator[Reason]:
-    steps = _Steps()
+    budget = Budget(STEPS, "libraries")
     base_libraries = [*new.libraries, *(old_facts.libraries if old_facts else ())]
     for machine in {tuple(library.machine) for library in app.libraries}:
         if not any(tuple(library.machine) == machine for library in base_libraries):
             continue  # the app has it for another processor
-        of_app, now = _Libraries(app.libraries, machine, steps), _Libraries(new.libraries, machine, steps)
-        before = _Libraries(old_facts.libraries, machine, steps) if old_facts else None
+        of_app, now = _Libraries(app.libraries, machine, budget), _Libraries(new.libraries, machine, budget)
+        before = _Libraries(old_facts.libraries, machine, budget) if old_facts else None
         used: set[str] = set()
         for library in (item for item in app.libraries if tuple(item.machine) == machine):
             names = list(_needed(library, of_app))

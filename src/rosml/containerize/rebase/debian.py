@@ -83,11 +83,23 @@ def _ranks(letters: str) -> tuple[int, ...]:
     return (*(-1 if it == "~" else ord(it) if it.isalpha() else ord(it) + 256 for it in letters), 0)
 
 
+class Budget:
+    """Steps for the facts of one image. If they take more, which no real ones do, that is a ValueError."""
+
+    def __init__(self, steps: int, things: str) -> None:
+        self._remaining, self._things = steps, things
+
+    def take(self, count: int) -> None:
+        self._remaining -= count
+        if self._remaining < 0:
+            raise ValueError(f"{self._things} name each other more often than any real ones")
+
+
 class PackageSet:
     """Packages of images, with the virtual ones that they provide. A damaged field, or too many comparisons, raise ValueError."""
 
     def __init__(self, packages: Iterable[Package]) -> None:
-        self._comparisons = COMPARISONS
+        self._budget = Budget(COMPARISONS, "packages")
         self._providers: defaultdict[str, list[tuple[str, str]]] = defaultdict(list)
         for package in packages:
             self._providers[package.name].append((package.version, package.name))
@@ -103,9 +115,7 @@ class PackageSet:
         )
 
     def _is_met(self, relation: Relation, version: str) -> bool:
-        self._comparisons -= 1 + (len(version) + len(relation.version)) // 64
-        if self._comparisons < 0:
-            raise ValueError("packages name each other more often than any real ones")
+        self._budget.take(1 + (len(version) + len(relation.version)) // 64)
         return relation.is_met_by(version)
 
     def version_of(self, name: str) -> str:

@@ -9,12 +9,25 @@ import pytest
 from click import Command
 from click.testing import CliRunner
 
-from fakes.rebasing import BOTH, FILES, App, Place, addon, app_with_addon, on_stack, place
+from fakes.rebasing import (
+    BASE_FACTS,
+    BOTH,
+    FILES,
+    OTHER_BUILD,
+    App,
+    Place,
+    addon,
+    app_with_addon,
+    changed,
+    on_stack,
+    place,
+)
 from rosml.base import clock
 from rosml.base.errors import RosmlError
 from rosml.cli import checkout
 from rosml.cli.containerize import rebase
 from rosml.cli.images import publish
+from rosml.containerize.rebase.trial import Trial
 from rosml.images.image_set.labels import TITLE
 from rosml.machine.services import Services
 
@@ -86,6 +99,35 @@ def test_a_dry_run_in_json(place: Place) -> None:
     assert called(app, "--base", new, "--json")[0] == 0
     assert place.digest(app) == planned["digest"] != before
     assert "already; nothing would change" in called(app, "--base", new, "--dry-run")[2]
+
+
+@pytest.mark.parametrize(
+    ("options", "tries"),
+    [
+        ([], ["link"]),
+        (["--check", "metadata"], []),
+        (["--check", "run", "--command", "gone"], ["link", "gone"]),
+    ],
+)
+def test_an_app_is_tried_before_its_tag_moves(
+    place: Place, monkeypatch: pytest.MonkeyPatch, options: list[str], tries: list[str]
+) -> None:
+    """Here the facts do not decide. A command that fails keeps the tag where it is."""
+    calls = list[str]()
+
+    def start(_: Trial, __: object, command: str) -> None:
+        calls.append(command)
+        raise RosmlError("the command failed", "correct it")
+
+    monkeypatch.setattr(rebase, "_builder", lambda: place.services)
+    monkeypatch.setattr(Trial, "link", lambda *_: calls.append("link"))
+    monkeypatch.setattr(Trial, "run", start)
+    libraries = [*BASE_FACTS["libraries"][::2], OTHER_BUILD]
+    app, new = place.app(place.base()), place.base("newer", changed(BASE_FACTS, libraries=libraries))
+    before = place.digest(app)
+    code, _, _ = called(app, "--base", new, *options)
+    assert calls == tries
+    assert (code, place.digest(app) == before) == ((1, True) if "gone" in tries else (0, False))
 
 
 def test_each_line_of_the_way_back_gives_the_digest_of_before(place: Place) -> None:
