@@ -11,7 +11,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed
 from rosml.containerize.init import distribution, framework, libraries, synonyms
 from rosml.containerize.init.file_texts import INSTALLED
-from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, Wishes
+from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, Wishes, settle
 from rosml.containerize.packages.manifest import Package
 from rosml.images.image_set import missing
 from rosml.images.image_set.expand import FLOATING
@@ -97,7 +97,7 @@ def _component(situation: Situation, row: str) -> Choice:
             if meta in needs:
                 proposal = Choice(name, f"{needs[meta].manifest} depends on {meta}")
     question = Question("How much of ROS", read, available, lambda _: reason)
-    return situation.settle(question, situation.wishes.component, proposal)
+    return settle(situation.ask, question, situation.wishes.component, proposal)
 
 
 def _command(situation: Situation, distribution: str) -> Choice:
@@ -105,9 +105,8 @@ def _command(situation: Situation, distribution: str) -> Choice:
     wish, of_env = situation.wishes.command, situation.surroundings.env.get("COMMAND")
     if of_env and not wish:
         return Choice(_shell_words(of_env), BY_ENV)
-    return situation.settle(
-        Question("Command to start", _shell_words), wish, _proposed_command(situation, distribution)
-    )
+    question = Question("Command to start", _shell_words)
+    return settle(situation.ask, question, wish, _proposed_command(situation, distribution))
 
 
 def _shell_words(command: str) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator, Sequence
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.containerize.init import framework, synonyms
-from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation
+from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, settle
 from rosml.containerize.packages.manifest import Package
 
 DEBIAN = "noetic"
@@ -24,7 +24,7 @@ def choose(situation: Situation) -> Choice:
     question = Question(
         "ROS distribution", lambda answer: _read(situation, answer, best), best, lambda name: _support(situation, name)
     )
-    return situation.settle(question, situation.wishes.distribution, _proposed(situation, best))
+    return settle(situation.ask, question, situation.wishes.distribution, _proposed(situation, best))
 
 
 def notes(situation: Situation, name: str) -> Iterator[Note]:

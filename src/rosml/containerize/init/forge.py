@@ -14,7 +14,7 @@ from rosml.containerize.ci import inputs as ci_inputs
 from rosml.containerize.init import synonyms
 from rosml.containerize.init.file_texts import FORGES, GITLAB
 from rosml.containerize.init.folder import text_of
-from rosml.containerize.init.situation import BY_USER, Ask, Choice, Question
+from rosml.containerize.init.situation import Ask, Choice, Question, settle
 from rosml.images.matrix.model import Matrix
 from rosml.machine import git
 from rosml.registry.place import Place
@@ -59,15 +59,11 @@ def choose(folder: Path, wishes: CiWishes, matrix: Matrix, ask: Ask) -> Ci:
             raise RosmlError(unknown("forge", answer, answers), f"take {listed(answers, 'or')}", exit_code=2)
         return name
 
-    name, why = _of(folder)
-    proposal = Choice(name or NONE, why)
-    value = read(wishes.forge) if wishes.forge else ask(Question("CI file for", read, answers), proposal)
-    forge = proposal if value == proposal.value and not wishes.forge else Choice(value, BY_USER)
-    place = wishes.place
-    if not place and (value != NONE or not IN_CHECKOUT):
-        why = "such as ghcr.io/me/rosml" + ("" if value == NONE else ": jobs do not reach this machine's images")
+    forge, place = settle(ask, Question("CI file for", read, answers), wishes.forge, _proposed(folder)), wishes.place
+    if not place and (forge.value != NONE or not IN_CHECKOUT):
+        why = "such as ghcr.io/me/rosml" + ("" if forge.value == NONE else ": jobs do not reach this machine's images")
         place = ask(Question("Registry of the base images", place_of), Choice("", why))
-    if value != NONE and (hindrance := _hinders(folder, value, place, wishes.rosml, matrix)):
+    if forge.value != NONE and (hindrance := _hinders(folder, forge.value, place, wishes.rosml, matrix)):
         if wishes.forge:
             raise RosmlError(*hindrance, exit_code=2)
         forge = Choice(NONE, "; ".join(hindrance))
@@ -91,15 +87,15 @@ def _pushes(folder: Path, forge: str) -> str:
     return next(str(getattr(item, forge)) for item in ci_inputs.SETTINGS if item.input.name == "image-name")
 
 
-def _of(folder: Path) -> tuple[str, str]:
+def _proposed(folder: Path) -> Choice:
     if (folder / ".github").is_dir():
-        return "github", "there is a folder .github"
+        return Choice("github", "there is a folder .github")
     if (folder / GITLAB).is_file():
-        return "gitlab", f"there is {GITLAB}"
+        return Choice("gitlab", f"there is {GITLAB}")
     for address in _remotes(folder):
         if name := next((name for name in FORGES if re.search(rf"\b{name}\b", address)), ""):
-            return name, f"git's remote is {address.rpartition('@')[2]}"
-    return "", "no forge is known; --ci names one"
+            return Choice(name, f"git's remote is {address.rpartition('@')[2]}")
+    return Choice(NONE, "no forge is known; --ci names one")
 
 
 def _remotes(folder: Path) -> list[str]:

@@ -8,7 +8,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.containerize.init import synonyms
 from rosml.containerize.init.libraries import CUPY
-from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation
+from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, settle
 from rosml.images.image_set import explain
 from rosml.images.matrix import names, rules
 from rosml.images.matrix.model import Matrix
@@ -40,7 +40,7 @@ def choose(situation: Situation, distribution: str, component: str) -> tuple[Cho
         notes = [(why_not(proposal.value), "take another distribution, or install it in the image")]
         proposal = Choice(plain, f"{distribution} has no {proposal.value}")
     question = Question("Framework for machine learning", read, available)
-    return situation.settle(question, wish, proposal), notes
+    return settle(situation.ask, question, wish, proposal), notes
 
 
 def meant(matrix: Matrix, text: str) -> str:
@@ -118,7 +118,7 @@ def choose_stack(situation: Situation, distribution: str, component: str, framew
         locked = [name for name in usable if situation.image_set.by_target[images[name]].locked]
         proposal = _fitting(situation, locked or usable)
     question = Question("Accelerator", read, usable, lambda name: _computes(situation, name))
-    return situation.settle(question, wish, proposal)
+    return settle(situation.ask, question, wish, proposal)
 
 
 def stacks(situation: Situation, distribution: str, framework: str) -> list[str]:

@@ -39,6 +39,11 @@ Ask = Callable[[Question, Choice], str]
 """Asks the user, who may take the proposal. Returns the value that was read."""
 
 
+def settle(ask: Ask, question: Question, wish: str, proposal: Choice) -> Choice:
+    value = question.read(wish) if wish else ask(question, proposal)
+    return proposal if value == proposal.value and not wish else Choice(value, question.reason(value))
+
+
 @dataclass(frozen=True)
 class Wishes:
     """What the user says; empty, or None for `gpu`, if nothing."""
@@ -78,10 +83,6 @@ class Situation:
         """The base image that `.env` names, if it is of this distribution."""
         image = self.image_set.by_tag(self.surroundings.env.get("BASE_IMAGE", ""))
         return image if image and image.distribution == distribution else None
-
-    def settle(self, question: Question, wish: str, proposal: Choice) -> Choice:
-        value = question.read(wish) if wish else self.ask(question, proposal)
-        return proposal if value == proposal.value and not wish else Choice(value, question.reason(value))
 
     def is_gpu(self, stack: str) -> bool:
         return bool(self.matrix.stacks[stack].cuda)
