@@ -21,6 +21,7 @@ from rosml.delivery.complete import complete
 from rosml.delivery.image import Image, Layer
 from rosml.delivery.sources import LayerBlob
 from rosml.run import engine
+from rosml.run.context import Engine
 
 _DIGEST_NAME = re.compile(r"(?:\./)?(?:blobs/sha256/)?([0-9a-f]{64})(?:\.tar)?")
 """A file of `docker save` or `podman save` whose name is the digest of its content."""
@@ -106,7 +107,7 @@ def sources(command: str, image: Image, only: str = "") -> list[InEngine]:
     return [InEngine(command, name, frozenset(diff_ids)) for name, diff_ids in smallest_first if missing & {*diff_ids}]
 
 
-def held(command: str, image: Image, store: engine.Store) -> set[str]:
+def held(command: str, image: Image, store: Engine) -> set[str]:
     """The digests of layers that docker takes from its own store: another image has them, on the same layers."""
     if not store.zstd and any(str(entry["mediaType"]).endswith("zstd") for entry in image.content["layers"]):
         text = f"{command} here is older than version 23, and cannot read layers with zstd, which {image.name or 'the image'} has"

@@ -84,7 +84,7 @@ class Loader:
             held: set[str] = set()
             if not into:
                 self._require_platform(image)
-                store = engines.store(command)
+                store = engines.answering(command)
                 held = engine.held(command, image, store)
                 complete_in_podman = store.podman and image.missing and not image.patches and not origins
                 if complete_in_podman and engine.takes_as_it_is(command, image):

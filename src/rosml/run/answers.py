@@ -98,6 +98,8 @@ def _docker(command: str, info: Mapping[str, Any]) -> Engine | None:
         machine=str(info.get("Name") or ""),
         selinux="name=selinux" in options,
         snap=str(info.get("DockerRootDir") or "").startswith("/var/snap/"),
+        chains="io.containerd.snapshotter" not in str(info.get("DriverStatus")),
+        zstd=re.match(r"(1?[0-9]|2[0-2])\.", str(info["ServerVersion"])) is None,
     )
 
 

@@ -26,6 +26,8 @@ class Engine:
         machine: the name of the machine on which it runs; empty if unknown.
         snap: a snap has its own /tmp and /run, and sees no socket of a session.
         passwd: podman's `run` has --passwd and --passwd-entry.
+        chains: docker's classic store finds a layer of an image by all that is below it.
+        zstd: it reads layers that are compressed with zstd. docker does since 23.
     """
 
     program: str = "docker"
@@ -37,6 +39,8 @@ class Engine:
     selinux: bool = False
     snap: bool = False
     passwd: bool = True
+    chains: bool = False
+    zstd: bool = True
 
     def is_on(self, host: Host) -> bool:
         """Whether it runs containers on a machine. Docker Desktop has its own machine; on Windows it shares WSL's files."""

@@ -27,9 +27,6 @@ PULL_OPTIONS = (
 LOCAL_REGISTRY = re.compile(r"(localhost|127(\.[0-9]+){3})(:[0-9]+)?/")
 """Images of a registry on this machine. Docker asks it without TLS; podman needs an option for that."""
 
-CONTAINERD = "io.containerd.snapshotter"
-"""docker's `info` has this if containerd keeps its images."""
-
 COMPLETION_TIMEOUT = 1.0
 
 
@@ -40,21 +37,6 @@ class Facts:
     engine: Engine
     image: Image | None
     container: Container | None
-
-
-@dataclass(frozen=True)
-class Store:
-    """How an engine keeps images.
-
-    Attributes:
-        podman: podman finds layers that it pulled by their digests.
-        chains: docker's classic store finds a layer by all that is below it.
-        zstd: it reads layers that are compressed with zstd. docker does since 23.
-    """
-
-    podman: bool
-    chains: bool
-    zstd: bool
 
 
 def program(environment: Mapping[str, str]) -> str:
@@ -97,22 +79,10 @@ def about(command: str) -> Engine:
 
 def answering(command: str) -> Engine:
     """The facts about an engine. It is an error if it does not answer."""
-    return _answering(command, _info(command))
-
-
-def _answering(command: str, info: Answer) -> Engine:
-    engine = answers.engine(command, info)
-    if engine is None:
-        raise _silent(command, info.complaint)
-    return engine
-
-
-def store(command: str) -> Store:
     info = _info(command)
-    engine = _answering(command, info)
-    version = re.search(r'"ServerVersion":\s*"([0-9]{1,4})\.', info.text)
-    zstd = engine.podman or not version or int(version[1]) >= 23
-    return Store(engine.podman, not engine.podman and CONTAINERD not in info.text, zstd)
+    if engine := answers.engine(command, info):
+        return engine
+    raise _silent(command, info.complaint)
 
 
 def image(command: str, identity: str) -> Image | None:
