@@ -80,14 +80,9 @@ def is_trusted(repository: str, place: Path) -> bool | None:
     return answer if isinstance(answer, bool) else None
 
 
-def with_file(file: File, digest: str, place: Path) -> bytes:
-    """The memory with a file that is allowed until its digest changes."""
-    return json.dumps(_allowed(place) | {file.path: digest}, indent=1).encode()
-
-
-def with_repository(repository: str, trusted: bool, place: Path) -> bytes:
-    """The memory with the user's answer about a repository."""
-    return json.dumps(_allowed(place) | {IMAGES + repository: trusted}, indent=1).encode()
+def with_answer(key: str, answer: str | bool, place: Path) -> bytes:
+    """The memory with the digest of a file, by its path, or whether the user trusts a repository, by its name after `IMAGES`."""
+    return json.dumps(_allowed(place) | {key: answer}, indent=1).encode()
 
 
 def _allowed(place: Path) -> dict[str, object]:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import os
 import re
 import stat
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
 from rosml.run import paths
-from rosml.run.words import Line, split
+from rosml.run.words import Line, TypedOption, split
 
 PERSON = "rosml/run.toml"
 PROJECT = ".rosml.toml"
@@ -70,9 +70,7 @@ class Files:
         image, and the options that nothing above replaces."""
         files = [file for file in (self.project, self.person) if file]
         if not files:
-            return []  # most folders have no file, and need no import
-        from rosml.run.repeated_options import without
-
+            return []
         parts: list[tuple[str, Line]] = []
         above, needs_image, needs_command = typed.engine, typed.image in ("", HERE), not typed.command
         for file in files:
@@ -91,12 +89,34 @@ class Files:
         return [
             f"from {shown(path)}: {' '.join(words)}"
             for path, line in self.counting(typed)
-            if (words := [shown(word) for word in (*line.rosml, *_engine(line), line.image, *line.command) if word])
+            if (words := [shown(word) for word in (*line.rosml, *line.engine_words, line.image, *line.command) if word])
         ]
 
 
-def _engine(line: Line) -> list[str]:
-    return [word for option in line.engine for word in option.words]
+def without(option: TypedOption, later: Iterable[TypedOption]) -> TypedOption | None:
+    """An option without the thing that later ones set, as the engines refuse two mounts at a path. None if nothing is left."""
+    thing = _thing(option)
+    if not thing[0] or thing not in map(_thing, later):
+        return option
+    *others, _ = option.names  # `-it` of `-itv a:/b`
+    return TypedOption((option.words[0][: len(option.names)],), tuple(others)) if others else None
+
+
+def _thing(option: TypedOption) -> tuple[str, str]:
+    """The kind and the name of the thing that the last option of a word sets; empty if a container may have several."""
+    name, value, path = option.names[-1], option.value or "", ""
+    if name == "name":
+        return name, ""
+    if name == "env":
+        return name, value.partition("=")[0]
+    if name == "volume":
+        path = value.split(":")[1] if ":" in value else value
+    elif name == "tmpfs":
+        path = value.partition(":")[0]
+    elif name == "mount":
+        fields = dict(field.partition("=")[::2] for field in paths.fields(value) or ())
+        path = next((fields[key] for key in ("target", "dst", "destination") if key in fields), "")
+    return ("place", path.rstrip("/") or "/") if path else ("", "")
 
 
 def base(environment: Mapping[str, str], variable: str, usual: str) -> str:

@@ -84,6 +84,10 @@ class Line:
     image: str
     command: tuple[str, ...]
 
+    @property
+    def engine_words(self) -> list[str]:
+        return [word for option in self.engine for word in option.words]
+
     def asks(self, name: str) -> bool:
         """Whether the user typed a switch of rosml's own, such as `no-rm`."""
         return f"--{name}" in self.rosml

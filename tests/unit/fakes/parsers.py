@@ -72,7 +72,7 @@ from rosml.registry import answers, challenge, credentials, oci, references
 from rosml.registry.client import Registry
 from rosml.registry.documents import Descriptor
 from rosml.registry.place import Place
-from rosml.run import check, consent, defaults, engine, paths, repeated_options
+from rosml.run import check, consent, defaults, engine, paths
 from rosml.run.context import Context, Engine, Host, Image, Person
 from rosml.run.exports import compose, compose_file, devcontainer, kubernetes, quadlet
 from rosml.run.exports.description import describe
@@ -581,7 +581,7 @@ def words_of(document: bytes, folder: Path) -> object:
     argv = ["docker", "run", *(word for option in line.engine for word in option.words), "ros:jazzy"]
     findings = check.findings(context, places.planned(context, argv), [], ())
     placed = [
-        (repeated_options.without(option, line.engine[:1]), paths.anchored(option, "/x")) for option in line.engine
+        (defaults.without(option, line.engine[:1]), paths.anchored(option, "/x")) for option in line.engine
     ]
     for write in (kubernetes.text, quadlet.text, devcontainer.text):
         with contextlib.suppress(RosmlError):

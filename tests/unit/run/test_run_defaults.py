@@ -286,8 +286,8 @@ def test_another_users_memory_allows_nothing(tmp_path: Path, monkeypatch: pytest
     """Neither a file, nor one behind a link, nor one in a folder that another user made, nor their settings."""
     file, place = File("/x", b"", 0, split([], ())), tmp_path / "rosml/allowed.json"
     digest = consent.digest(file)
-    host.write(place, consent.with_file(file, digest, place))
-    host.write(place, consent.with_repository("ghcr.io/me/x", True, place))
+    host.write(place, consent.with_answer(file.path, digest, place))
+    host.write(place, consent.with_answer(f"{consent.IMAGES}ghcr.io/me/x", True, place))
     assert consent.is_allowed(file, digest, place) and consent.is_trusted("ghcr.io/me/x", place)
     with monkeypatch.context() as patch:
         patch.setattr("os.geteuid", lambda: place.stat().st_uid + 1)
@@ -300,7 +300,7 @@ def test_another_users_memory_allows_nothing(tmp_path: Path, monkeypatch: pytest
     place.rename(tmp_path / "cloned.json")
     place.symlink_to(tmp_path / "cloned.json")
     assert not consent.is_allowed(file, digest, place)
-    host.write(place, consent.with_file(file, digest, place))
+    host.write(place, consent.with_answer(file.path, digest, place))
     assert consent.is_allowed(file, digest, place) and not place.is_symlink()
     (tmp_path / "rosml/run.toml").write_text(IMAGE)
     monkeypatch.setattr("rosml.run.defaults.is_own", lambda owner, environment: False)
@@ -451,9 +451,9 @@ def test_a_file_that_changes_during_the_question_needs_another(desk: Desk) -> No
     (desk.folder / "x").write_text("A=b")
     project(desk, f'{IMAGE}options = ["--no-name", "--env-file", "x"]')
     change = "open('x', 'w').write('LD_PRELOAD=/x')"
-    code = f"from rosml.cli.run import question; question.agreed = lambda *_: bool([exec({change!r})])"
+    code = f"from rosml.cli.run import questions; questions.agreed = lambda *_: bool([exec({change!r})])"
     argv = desk.argv()
-    argv[2] = f"{code}\nquestion.possible = lambda: True\n{argv[2]}"
+    argv[2] = f"{code}\nquestions.possible = lambda: True\n{argv[2]}"
     subprocess.run(argv, cwd=desk.folder, env=desk.environment, check=True)
     assert json.loads(desk.memory.read_text()) and (desk.folder / "x").read_text() == "LD_PRELOAD=/x"
     assert question(desk)

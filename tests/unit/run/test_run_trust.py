@@ -208,7 +208,7 @@ def test_a_damaged_memory_trusts_nothing(desk: Desk, content: str) -> None:
 def test_a_repository_is_no_file(tmp_path: Path) -> None:
     """A project's file at an odd path trusts no image, and a trusted repository allows no file."""
     place = tmp_path / "allowed.json"
-    place.write_bytes(consent.with_repository("/x", True, place))
+    place.write_bytes(consent.with_answer(f"{consent.IMAGES}/x", True, place))
     assert consent.is_trusted("/x", place) and json.loads(place.read_bytes()) == {"image /x": True}
 
 

@@ -14,7 +14,7 @@ import click
 
 from rosml.base.errors import RosmlError
 from rosml.cli.command import say, warn
-from rosml.cli.run import container, defaults, run, trust
+from rosml.cli.run import container, questions, run
 from rosml.run import words
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ def _require_own(args: Sequence[str], own_options: Collection[str]) -> None:
 @click.option("--build", is_flag=True, help="make the image again, with the newest base image and .repos")
 @click.option("--no-defaults", is_flag=True, expose_value=False, help="read neither .rosml.toml nor your own run.toml")
 @click.option(
-    f"--{trust.OPTION}", is_flag=True, expose_value=False, help="from now on, let images of this folder start as root"
+    f"--{questions.TRUST}", is_flag=True, expose_value=False, help="from now on, let images of this folder start as root"
 )
 @container.showing
 @click.argument("folder", default=".")
@@ -141,10 +141,8 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
     if not build and (running := _running(program, caller.folder)):
         _enter(program, line, caller, running, key)
         return
-    plugin_options = [f"--{name}" for plugin in run.discovered().plugins for name in plugin.options]
-    reserved = [f"--{name}" for name in (*run.RESERVED, *RESERVED)]
-    files = defaults.read(line, plugin_options, reserved, caller.folder)
-    defaults.require(replace(line, image=dev_folder.image_name(place)), files.project)
+    files = run.default_files(line, (*run.RESERVED, *RESERVED), caller.folder)
+    questions.allow(replace(line, image=dev_folder.image_name(place)), files.project)
     record, facts = _image(program, place, values, key, line, build)
     started = files.under(replace(line, image=record.image))
     _start(

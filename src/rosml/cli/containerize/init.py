@@ -237,7 +237,7 @@ def _asker(call: Call, scan: FolderScan) -> Ask:
 def _ask(question: Question, proposal: Choice) -> str:
     """Asks until an answer can be read. The first clause of the proposal's reason stands behind it."""
     from rosml.base.problems import listed
-    from rosml.cli.run.question import drop_typed
+    from rosml.cli.run.questions import drop_typed
 
     text = f"{question.text} [{proposal.value or 'none'}] ({proposal.reason.partition(';')[0]})"
     while True:

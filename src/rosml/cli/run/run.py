@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import replace
 from functools import cache
@@ -13,7 +14,8 @@ import click
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
-from rosml.cli.run import container, defaults, trust
+from rosml.cli.run import container, questions
+from rosml.run import defaults
 from rosml.run.context import Context, Person
 from rosml.run.defaults import HERE, Files
 from rosml.run.plan import Plan, make_plan
@@ -24,7 +26,7 @@ from rosml.run.words import Line
 if TYPE_CHECKING:
     from rosml.run.engine import Facts
 
-RESERVED = ("new", "no-defaults", trust.OPTION, "check", "verbose", "dry-run", "json", "export", "add", "help")
+RESERVED = ("new", "no-defaults", questions.TRUST, "check", "verbose", "dry-run", "json", "export", "add", "help")
 """The command's own options: no plugin may have one of these names, and no file with defaults may set one."""
 
 IMAGE_REMEDY = 'write image = "…" into .rosml.toml'
@@ -34,6 +36,14 @@ IMAGE_REMEDY = 'write image = "…" into .rosml.toml'
 def discovered() -> Discovery:
     """The plugins, searched once."""
     return discover(RESERVED)
+
+
+def default_files(line: Line, reserved: Iterable[str], folder: str) -> Files:
+    """The files with defaults that count for a command line: none with --no-defaults."""
+    options = [f"--{name}" for plugin in discovered().plugins for name in plugin.options]
+    if line.asks("no-defaults"):
+        return Files()
+    return defaults.files(os.environ, folder, options, [f"--{name}" for name in reserved])
 
 
 class Run(container.Words):
@@ -57,7 +67,7 @@ class Run(container.Words):
 )
 @container.flag("--new", "start another container although one runs; the engine names it")
 @container.flag("--no-defaults", "read neither .rosml.toml nor your own run.toml")
-@container.flag(f"--{trust.OPTION}", "from now on, let images of this repository start as root, to make your user")
+@container.flag(f"--{questions.TRUST}", "from now on, let images of this repository start as root, to make your user")
 @container.showing
 @container.flag("--check", "say what keeps ROS nodes apart from others, and start no command")
 @click.option(
@@ -106,11 +116,9 @@ def main(context: click.Context, /, export: str | None, add: str | None) -> None
     from rosml.run.person import person
 
     line: Line = context.meta[container.LINE]
-    plugin_options = [f"--{name}" for plugin in discovered().plugins for name in plugin.options]
-    reserved = [f"--{name}" for name in RESERVED]
-    _check_words(line, [*plugin_options, *reserved])
+    _check_words(line)
     caller = person(os.environ)
-    files = defaults.read(line, plugin_options, reserved, caller.folder)
+    files = default_files(line, RESERVED, caller.folder)
     image = files.under(line).image
     purpose = next((name for name in ("new", "check") if line.asks(name)), f"export {export}" if export else "")
     _require_image(line, image, purpose)
@@ -132,8 +140,9 @@ def main(context: click.Context, /, export: str | None, add: str | None) -> None
         start(program, line, caller, files)
 
 
-def _check_words(line: Line, own_options: list[str]) -> None:
-    if line.late(own_options):
+def _check_words(line: Line) -> None:
+    plugin_options = [name for plugin in discovered().plugins for name in plugin.options]
+    if line.late([f"--{name}" for name in (*plugin_options, *RESERVED)]):
         text = f"{line.command[0]} is the command in the container, since it stands after the image"
         command.warn(text, f"options come first: rosml run {line.command[0]} … {line.image}")
     user = line.value("user")
@@ -185,7 +194,7 @@ def start(program: str, typed: Line, caller: Person, files: Files) -> None:
         attach.check_same(program, line, caller, facts.container, facts.image)
         container.enter(program, typed, caller, facts.container)
         return
-    defaults.require(typed, files.project)
+    questions.allow(typed, files.project)
     if facts.image is None and container.only_shown(line):
         raise engine.lacking(program, line.image)
     if facts.image is None and line.image == image:
@@ -203,7 +212,7 @@ def begin(context: Context, *more: Plugin) -> None:
     """Starts a container, or shows how. `more` are plugins of the caller, after all others."""
     from rosml.run.host import write
 
-    plan, machine = planned(trust.settled(context), *more), context.host
+    plan, machine = planned(questions.settle_trust(context), *more), context.host
 
     def prepare() -> None:
         for folder in plan.folders:
@@ -265,8 +274,8 @@ def check_ros(program: str, line: Line, caller: Person, files: Files) -> None:
     from rosml.cli.run import check
 
     context = _context(program, files.under(line), caller)
-    allowed = defaults.require(line, files.project)
-    context, typed = trust.settled(context), line.image not in ("", HERE)
+    allowed = questions.allow(line, files.project)
+    context, typed = questions.settle_trust(context), line.image not in ("", HERE)
     check.show(context, make_plan(context, discovered().plugins).argv, into=typed or allowed)
 
 
@@ -283,5 +292,5 @@ def export_call(program: str, line: Line, caller: Person, files: Files, kind: st
     # A file of compose is for this machine, unless it asks for other GPUs.
     elsewhere = kind in ("quadlet", "kubernetes") or (kind == "compose" and gpu.is_theirs(whole))
     context = export.KINDS[kind].seen(_context(program, whole, caller, elsewhere))
-    defaults.require(line, files.project)
-    export.write(trust.settled(context), planned, kind, add)
+    questions.allow(line, files.project)
+    export.write(questions.settle_trust(context), planned, kind, add)

@@ -26,8 +26,7 @@ def ros(context: Context) -> Added:
     """The words that connect ROS in the container with that of this machine."""
     line = context.line
     words = _network(context) if line.asks(ROS_NETWORK) else []
-    typed = [word for option in line.engine for word in option.words]
-    planned = places.planned(context, [context.engine.program, "run", *words, *typed, line.image])
+    planned = places.planned(context, [context.engine.program, "run", *words, *line.engine_words, line.image])
     if not line.asks("no-ros"):
         words += _own_name(context, planned)
         words += variables(_settings(context, planned))

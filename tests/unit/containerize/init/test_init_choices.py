@@ -25,7 +25,7 @@ from fakes.package_folders import (
     write,
 )
 from rosml.cli.containerize import init
-from rosml.cli.run import question
+from rosml.cli.run import questions as run_questions
 from rosml.containerize.init import forge
 from rosml.containerize.packages.conditions import holds
 from rosml.images.image_set.model import ImageSet
@@ -304,7 +304,7 @@ def test_what_was_typed_before_a_question_is_no_answer(
         order.append("ask")
         return prompt(*words, **more)
 
-    monkeypatch.setattr(question, "drop_typed", lambda: order.append("drop"))
+    monkeypatch.setattr(run_questions, "drop_typed", lambda: order.append("drop"))
     monkeypatch.setattr(click, "prompt", asking)
     called(write(tmp_path, {}), typed="\n" * 9)
     assert order and order == ["drop", "ask"] * (len(order) // 2)
