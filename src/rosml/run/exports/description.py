@@ -59,6 +59,10 @@ class Call:
         """The values of an option, in their order."""
         return [option.value or "" for option in self.options if option.name == name]
 
+    def value(self, name: str) -> str:
+        """The last value of an option; empty if there is none."""
+        return (self.values(name) or [""])[-1]
+
 
 def lasting(context: Context) -> Context:
     """The context as on a terminal, without the parts of a session: the cookie of X11, and the socket of ssh's agent."""

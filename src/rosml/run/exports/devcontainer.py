@@ -49,7 +49,7 @@ def text(call: Call) -> str:
         raise RosmlError("a dev container has its editor's entrypoint", "leave out --entrypoint", exit_code=2)
     workspace = next((option for option in call.options if _target(option, call)), None)
     others = [option for option in call.options if option is not workspace]
-    user = (call.values("user") or [""])[-1]
+    user = call.value("user")
     document: dict[str, Any] = {"name": call.name, "image": call.image}
     if workspace:
         target = _target(workspace, call)

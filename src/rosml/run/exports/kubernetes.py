@@ -18,7 +18,7 @@ from rosml.run import trust
 from rosml.run.context import Context, Engine
 from rosml.run.exports import yaml_text
 from rosml.run.exports.description import COUNT, Call, Option, fields, gpus, preceded, sessionless
-from rosml.run.exports.yaml_text import merged, nested
+from rosml.run.exports.yaml_text import merged
 from rosml.run.plugins.basic_options import FOLDER_LABEL
 from rosml.run.plugins.gpu import DRIVER, is_theirs, numbers
 
@@ -72,14 +72,17 @@ def text(call: Call) -> str:
 
 def content(call: Call) -> Fields:
     """The content of the file. An option without a counterpart is an error."""
-    name = _dns(call.name)
+    name = re.sub("[^a-z0-9]+", "-", call.name.lower()).strip("-")[:63].strip("-") or "container"
     pod: Any = reduce(merged, (_part(option) for option in call.options), {"container": {}})
     container = {"name": name, "image": _image(call), **pod.pop("container")}
     annotations, labels = pod.pop("annotations", {}), {NAME_LABEL: name, **pod.pop("labels", {})}
-    if entrypoint := call.values("entrypoint"):
-        container |= _entry(entrypoint[-1], call)
-    elif call.command:
-        container["args"] = [*map(_escaped, call.command)]
+    entrypoint = call.values("entrypoint")[-1:]
+    command = [*filter(None, entrypoint), *call.command]
+    if entrypoint and not command:
+        text = "--entrypoint '' leaves a cluster nothing to start"
+        raise RosmlError(text, "write the command after the image", exit_code=2)
+    if command:
+        container["command" if entrypoint else "args"] = [*map(_escaped, command)]
     if "env" in container:
         container["env"] = [{"name": key, "value": _escaped(value)} for key, value in container["env"].items()]
     container |= _probe(call)
@@ -101,11 +104,6 @@ def content(call: Call) -> Fields:
     }
 
 
-def _dns(name: str) -> str:
-    """A name as Kubernetes takes it: small letters, digits and `-`, at most 63."""
-    return re.sub("[^a-z0-9]+", "-", name.lower()).strip("-")[:63].strip("-") or "container"
-
-
 def _digests(call: Call) -> list[str]:
     """The image's digests in the repository from which it came; the one over all architectures comes first."""
     repository = trust.repository(call.image, call.about.id, podman=False)
@@ -121,15 +119,6 @@ def _image(call: Call) -> str:
         raise RosmlError(text, trust.PUSHED, exit_code=2)
     digests = _digests(call)
     return call.image if "@" in call.image or not digests else f"{call.image}@{digests[0]}"
-
-
-def _entry(entrypoint: str, call: Call) -> Fields:
-    """The command in the place of the image's entrypoint."""
-    words = [*([entrypoint] if entrypoint else []), *call.command]
-    if not words:
-        text = "--entrypoint '' leaves a cluster nothing to start"
-        raise RosmlError(text, "write the command after the image", exit_code=2)
-    return {"command": [*map(_escaped, words)]}
 
 
 def _escaped(text: str) -> str:
@@ -152,21 +141,24 @@ def _check(container: Mapping[str, Any], pod: Mapping[str, Any]) -> None:
 
 def _probe(call: Call) -> Fields:
     """The probe that starts the container again, from --health-cmd or the image's HEALTHCHECK, with the engines' defaults."""
-    typed, image = (call.values("health-cmd") or [""])[-1], call.about.health
+    typed, image = call.value("health-cmd"), call.about.health
     if call.values("no-healthcheck") or typed == "none" or not (typed or image.command):
         return {}
     command = ("/bin/sh", "-c", typed) if typed else image.command
 
     def seconds(name: str, from_image: float, default: int) -> int:
-        option = (call.values(f"health-{name}") or [""])[-1]
+        option = call.value(f"health-{name}")
         exact = _seconds(name, option) if option else from_image
         return max(1, math.ceil(exact)) if option or from_image else default
 
+    retries = (call.values("health-retries") or ["0"])[-1]
+    if not COUNT.fullmatch(retries):
+        raise _without(f"--health-retries={retries}", "write --health-retries=NUMBER")
     probe = {
         "exec": {"command": [*command]},
         "periodSeconds": seconds("interval", image.interval, 30),
         "timeoutSeconds": seconds("timeout", image.timeout, 30),
-        "failureThreshold": _number("health-retries", call) or image.retries or 3,
+        "failureThreshold": int(retries) or image.retries or 3,
     }
     if start := seconds("start-period", image.start_period, 0):
         probe["initialDelaySeconds"] = start
@@ -181,14 +173,6 @@ def _seconds(name: str, duration: str) -> float:
     return sum(float(number) * {"ms": 0.001, "s": 1, "m": 60, "h": 3600}[unit] for number, unit in parts)
 
 
-def _number(name: str, call: Call) -> int:
-    """The value of an option that is a number; 0 if it is not written."""
-    value = (call.values(name) or ["0"])[-1]
-    if not COUNT.fullmatch(value):
-        raise _without(f"--{name}={value}", f"write --{name}=NUMBER")
-    return int(value)
-
-
 def _without(option_text: str, remedy: str) -> RosmlError:
     return RosmlError(f"{option_text} has no counterpart in a file of Kubernetes", remedy, exit_code=2)
 
@@ -200,12 +184,6 @@ def _part(option: Option) -> Fields:
         return {}
     if name in HOST_FIELDS and value == "host":
         return {HOST_FIELDS[name]: True, **({"dnsPolicy": "ClusterFirstWithHostNet"} if name == "network" else {})}
-    if name in FORMS:
-        pattern, remedy, fields_of = FORMS[name]
-        match = re.fullmatch(pattern, value, re.DOTALL)
-        if not match:
-            raise _without(f"--{name} {value!a}", remedy)
-        return fields_of(match)
     if name in WRITERS:
         return WRITERS[name](option)
     option_text = f"--{name}={value}" if name in (*HOST_FIELDS, *CLUSTER_DEFAULTS, "device") else f"--{name}"
@@ -216,17 +194,22 @@ def _label(option: Option) -> Fields:
     key, _, value = (option.value or "").partition("=")
     if key == FOLDER_LABEL:
         return {}  # of this machine
-    if (
-        not LABEL_NAME.fullmatch(key)
-        or (option.name == "label" and not LABEL_VALUE.fullmatch(value))
-        or key == NAME_LABEL
-    ):
+    fits = option.name == "annotation" or LABEL_VALUE.fullmatch(value)
+    if not (fits and LABEL_NAME.fullmatch(key)) or key == NAME_LABEL:
         raise _without(f"--{option.name} {option.value!a}", f"leave out --{option.name}; --annotation takes any value")
     return {f"{option.name}s": {key: value}}
 
 
+def _container(**values: object) -> Fields:
+    return {"container": values}
+
+
 def _safety(**settings: object) -> Fields:
-    return {"container": {"securityContext": settings}}
+    return _container(securityContext=settings)
+
+
+def _pod_safety(**settings: object) -> Fields:
+    return {"securityContext": settings}
 
 
 def _security(option: Option) -> Fields:
@@ -265,7 +248,7 @@ def _gpus(option: Option) -> Fields:
 
 
 def _limit(name: str, value: str, kind: str = "limits") -> Fields:
-    return {"container": nested(f"resources.{kind}", {name: value})}
+    return _container(resources={kind: {name: value}})
 
 
 def _port(option: Option) -> Fields:
@@ -276,7 +259,7 @@ def _port(option: Option) -> Fields:
     port["protocol"] = (match["kind"] or "tcp").upper()
     if match["ip"]:
         port["hostIP"] = match["ip"].strip("[]")
-    return {"container": {"ports": [port]}}
+    return _container(ports=[port])
 
 
 def _volume(option: Option) -> Fields:
@@ -294,7 +277,7 @@ def _mounted(target: str, source: Fields, read_only: bool = False) -> Fields:
     path = source.get("hostPath", {}).get("path", "/")
     if not target.startswith("/") or ":" in target or ".." in path.split("/") or not path.startswith("/"):
         raise _without(f"the mount of {path} at {target!a}", "write whole paths, without a colon and ..")
-    return {"container": {"mounts": [({"mountPath": target, **({"readOnly": True} if read_only else {})}, source)]}}
+    return _container(mounts=[({"mountPath": target, **({"readOnly": True} if read_only else {})}, source)])
 
 
 def _memory(option: Option, target: str, size: str) -> Fields:
@@ -327,7 +310,7 @@ def _env(option: Option) -> Fields:
         raise _without(f"-e {name} without a value", f"write -e {name}=VALUE: a cluster has no variables of yours")
     if not re.fullmatch("[A-Za-z_.-][A-Za-z0-9_.-]*", name):  # all releases take these
         raise _without(f"the variable {name!a}", "name it with letters, digits and _")
-    return {"container": {"env": {name: value}}}
+    return _container(env={name: value})
 
 
 def _init(option: Option) -> Fields:
@@ -344,73 +327,65 @@ REMEDIES = {
 PULLS = {"always": "Always", "missing": "IfNotPresent", "never": "Never"}
 DNS_NAME = r"(?=.{1,63}\Z)([a-z0-9]+(?:-[a-z0-9]+)*)"
 
-FORMS: Mapping[str, tuple[str, str, Callable[[re.Match[str]], Fields]]] = {
-    "add-host": (
+
+def _form(pattern: str, remedy: str, fields_of: Callable[[re.Match[str]], Fields]) -> Callable[[Option], Fields]:
+    """A writer of an option whose value has a pattern. `remedy` is for another value."""
+
+    def write(option: Option) -> Fields:
+        if match := re.fullmatch(pattern, option.value or "", re.DOTALL):
+            return fields_of(match)
+        raise _without(f"--{option.name} {option.value or ''!a}", remedy)
+
+    return write
+
+
+WRITERS: Mapping[str, Callable[[Option], Fields]] = {
+    "add-host": _form(
         r"([^:=]*)[:=]\[*([0-9A-Fa-f:.]+)\]*",
         "write --add-host NAME:ADDRESS",
         lambda match: {"hostAliases": [{"ip": match[2], "hostnames": [match[1]]}]},
     ),
-    "cpus": (
-        r"(?=.*[1-9])[0-9]{1,4}(\.[0-9]{1,3})?",
-        "write a number such as 1.5",
-        lambda match: _limit("cpu", match[0]),
-    ),
-    "group-add": (
-        "[0-9]{1,18}",
-        "write the group's number",
-        lambda match: {"securityContext": {"supplementalGroups": [int(match[0])]}},
-    ),
-    "hostname": (DNS_NAME, "write small letters, digits and -", lambda match: {"hostname": match[0]}),
-    "platform": (
-        "linux/([^/]*)",
-        "write linux/amd64 or linux/arm64",
-        lambda match: {"nodeSelector": {"kubernetes.io/arch": match[1]}},
-    ),
-    "pull": (
-        "|".join(PULLS),
-        f"write one of {', '.join(PULLS)}",
-        lambda match: {"container": {"imagePullPolicy": PULLS[match[0]]}},
-    ),
-    "runtime": (
-        DNS_NAME,
-        "write the name of a RuntimeClass of the cluster",
-        lambda match: {"runtimeClassName": match[0]},
-    ),
-    "stop-timeout": (
-        "[0-9]{1,18}",
-        "write --stop-timeout=NUMBER",
-        lambda match: {"terminationGracePeriodSeconds": int(match[0])},
-    ),
-    "sysctl": (
-        "([^=]*)=(.*)",
-        "write --sysctl NAME=VALUE",
-        lambda match: {"securityContext": {"sysctls": [{"name": match[1], "value": match[2]}]}},
-    ),
-    "user": (
-        "([0-9]{1,10})(?::([0-9]{1,10}))?",
-        "write numbers: --user UID:GID",
-        lambda match: _safety(runAsUser=int(match[1]), **({"runAsGroup": int(match[2])} if match[2] else {})),
-    ),
-}
-"""Options by the pattern of their value, the remedy for another value, and the fields."""
-
-WRITERS: Mapping[str, Callable[[Option], Fields]] = {
     "annotation": _label,
     "cap-add": _capability,
     "cap-drop": _capability,
+    "cpus": _form(r"(?=.*[1-9])[0-9]{1,4}(\.[0-9]{1,3})?", "write a number such as 1.5", lambda x: _limit("cpu", x[0])),
     "env": _env,
     "gpus": _gpus,
+    "group-add": _form(
+        "[0-9]{1,18}", "write the group's number", lambda x: _pod_safety(supplementalGroups=[int(x[0])])
+    ),
+    "hostname": _form(DNS_NAME, "write small letters, digits and -", lambda match: {"hostname": match[0]}),
     "init": _init,
     "label": _label,
     "memory": lambda option: _limit("memory", _size(option, option.value or "")),
     "memory-reservation": lambda option: _limit("memory", _size(option, option.value or ""), "requests"),
     "mount": _mount,
+    "platform": _form(
+        "linux/([^/]*)",
+        "write linux/amd64 or linux/arm64",
+        lambda match: {"nodeSelector": {"kubernetes.io/arch": match[1]}},
+    ),
     "privileged": lambda option: _safety(privileged=option.is_on),
     "publish": _port,
+    "pull": _form(
+        "|".join(PULLS), f"write one of {', '.join(PULLS)}", lambda x: _container(imagePullPolicy=PULLS[x[0]])
+    ),
     "read-only": lambda option: _safety(readOnlyRootFilesystem=option.is_on),
+    "runtime": _form(DNS_NAME, "write the name of a RuntimeClass of the cluster", lambda x: {"runtimeClassName": x[0]}),
     "security-opt": _security,
     "shm-size": lambda option: _memory(option, "/dev/shm", option.value or ""),
+    "stop-timeout": _form(
+        "[0-9]{1,18}", "write --stop-timeout=NUMBER", lambda match: {"terminationGracePeriodSeconds": int(match[0])}
+    ),
+    "sysctl": _form(
+        "([^=]*)=(.*)", "write --sysctl NAME=VALUE", lambda x: _pod_safety(sysctls=[{"name": x[1], "value": x[2]}])
+    ),
     "tmpfs": _tmpfs,
+    "user": _form(
+        "([0-9]{1,10})(?::([0-9]{1,10}))?",
+        "write numbers: --user UID:GID",
+        lambda match: _safety(runAsUser=int(match[1]), **({"runAsGroup": int(match[2])} if match[2] else {})),
+    ),
     "volume": _volume,
-    "workdir": lambda option: {"container": {"workingDir": option.value or ""}},
+    "workdir": lambda option: _container(workingDir=option.value or ""),
 }

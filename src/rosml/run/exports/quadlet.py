@@ -189,7 +189,7 @@ def _gpu_ids(option: Option) -> Sequence[str]:
 
 def _policy(call: Call) -> Iterator[str]:
     """When systemd starts it again, and how long it waits for a start and a stop."""
-    policy, timeout = (call.values("restart") or ["always"])[-1], (call.values("stop-timeout") or [""])[-1]
+    policy, timeout = (call.values("restart") or ["always"])[-1], call.value("stop-timeout")
     if policy not in RESTARTS:
         text = f"--restart {policy} does not go with --export {KIND}: systemd has no such rule"
         raise RosmlError(text, f"write one of {', '.join(RESTARTS)}", exit_code=2)
