@@ -46,13 +46,7 @@ class Finding:
 
 
 def findings(context: Context, place: Place, others: Sequence[Place], installed: Sequence[str]) -> list[Finding]:
-    """All findings.
-
-    Args:
-        place: the container that would start.
-        others: running containers with ROS.
-        installed: the RMW implementations of the image; empty if unknown.
-    """
+    """All findings about the container that would start. `installed` are the RMW implementations of its image; empty if unknown."""
     here = places.machine(context)
     if here and here.version != place.version:
         here = None

@@ -35,13 +35,8 @@ HARMLESS_VARIABLE = re.compile(
 
 
 def questionable(line: Line, trusted: bool, leads: Sequence[Lead] = (), folder: str = "") -> list[str]:
-    """The settings of a file that need a question, as a shell reads them.
-
-    Args:
-        trusted: the file belongs to the user. If not, all settings need the question.
-        leads: the targets of its paths.
-        folder: the project's folder.
-    """
+    """The settings of a file that need a question, as a shell reads them. If the file is not `trusted`, as another user's, all need it.
+    `folder` is the project's."""
     image = [f"image {shlex.quote(line.image)}"] if line.image else []
     command = [f"command {shlex.join(line.command)}"] if line.command else []
     own_words = [word for word in line.rosml if word not in HARMLESS or not trusted]

@@ -16,31 +16,19 @@ PODMAN_CDI = ("/etc/cdi", "/var/run/cdi")
 
 @dataclass(frozen=True)
 class Engine:
-    """The engine, docker or podman.
-
-    Attributes:
-        podman: also true of podman by the name of docker.
-        rootless: it runs without root's rights: root in a container is another user outside.
-        nvidia: NVIDIA's container runtime is one of its runtimes.
-        cdi: the folders in which it looks for CDI files.
-        machine: the name of the machine on which it runs; empty if unknown.
-        snap: a snap has its own /tmp and /run, and sees no socket of a session.
-        passwd: podman's `run` has --passwd and --passwd-entry.
-        chains: docker's classic store finds a layer of an image by all that is below it.
-        zstd: it reads layers that are compressed with zstd. docker does since 23.
-    """
+    """The engine, docker or podman."""
 
     program: str = "docker"
-    podman: bool = False
-    rootless: bool = False
-    nvidia: bool = False
-    cdi: tuple[str, ...] = ()
-    machine: str = ""
+    podman: bool = False  # also of podman by the name of docker
+    rootless: bool = False  # root in a container is another user outside
+    nvidia: bool = False  # NVIDIA's container runtime is one of its runtimes
+    cdi: tuple[str, ...] = ()  # the folders in which it looks for CDI files
+    machine: str = ""  # the name of its machine; empty if unknown
     selinux: bool = False
-    snap: bool = False
-    passwd: bool = True
-    chains: bool = False
-    zstd: bool = True
+    snap: bool = False  # it has its own /tmp and /run, and sees no socket of a session
+    passwd: bool = True  # podman's `run` has --passwd and --passwd-entry
+    chains: bool = False  # docker's classic store finds a layer of an image by all that is below it
+    zstd: bool = True  # it reads layers that are compressed with zstd. docker does since 23
 
     def is_on(self, host: Host) -> bool:
         """Whether it runs containers on a machine. Docker Desktop has its own machine; on Windows it shares WSL's files."""
@@ -49,25 +37,16 @@ class Engine:
 
 @dataclass(frozen=True)
 class Person:
-    """The user who calls.
-
-    Attributes:
-        name: empty if the system has none.
-        folder: the current folder, absolute.
-        timezone: such as `Europe/Berlin`; empty if unknown.
-        locale: `LANG`, `LANGUAGE` and `LC_…` of the environment.
-        terminal: standard input and standard output are terminals.
-        reads: standard input has, or may have, something to read.
-    """
+    """The user who calls."""
 
     uid: int
     gid: int
-    name: str
-    folder: str
-    timezone: str = ""
-    locale: Mapping[str, str] = field(default_factory=dict)
-    terminal: bool = False
-    reads: bool = False
+    name: str  # empty if the system has none
+    folder: str  # the current one, absolute
+    timezone: str = ""  # such as `Europe/Berlin`; empty if unknown
+    locale: Mapping[str, str] = field(default_factory=dict)  # `LANG`, `LANGUAGE` and `LC_…`
+    terminal: bool = False  # standard input and standard output are terminals
+    reads: bool = False  # standard input may have something to read
 
 
 @dataclass(frozen=True)
@@ -83,43 +62,27 @@ class Health:
 
 @dataclass(frozen=True)
 class Image:
-    """An image of the engine.
+    """An image of the engine."""
 
-    Attributes:
-        id: its digest, without `sha256:`.
-        digest: that of its manifest for this architecture, if the engine names one.
-        digests: its names in registries by digest, such as `ghcr.io/me/ros@sha256:…`.
-    """
-
-    id: str = ""
+    id: str = ""  # without `sha256:`
     environment: Mapping[str, str] = field(default_factory=dict)
     labels: Mapping[str, str] = field(default_factory=dict)
     entrypoint: tuple[str, ...] = ()
     command: tuple[str, ...] = ()
     user: str = ""
-    digest: str = ""
-    digests: tuple[str, ...] = ()
+    digest: str = ""  # of the manifest for this architecture, if the engine names one
+    digests: tuple[str, ...] = ()  # its names in registries, such as `ghcr.io/me/ros@sha256:…`
     health: Health = field(default_factory=Health)
 
 
 @dataclass(frozen=True)
 class Container:
-    """A container of the engine.
-
-    Attributes:
-        state: such as `running` or `exited`.
-        image: the name of its image, as typed.
-        image_id: the image's digest, without `sha256:`.
-        user: the value of `--user`; empty if there was none.
-        mounts: the paths of its mounts.
-        network, ipc: the values of `--network` and `--ipc`.
-        sources: for each of these mounts, the path on the engine's machine; empty if it has none.
-    """
+    """A container of the engine. `user`, `network` and `ipc` are the values of these options."""
 
     name: str
-    state: str
-    image: str = ""
-    image_id: str = ""
+    state: str  # such as `running` or `exited`
+    image: str = ""  # as typed
+    image_id: str = ""  # without `sha256:`
     user: str = ""
     environment: Mapping[str, str] = field(default_factory=dict)
     labels: Mapping[str, str] = field(default_factory=dict)
@@ -127,7 +90,7 @@ class Container:
     mounts: frozenset[str] = frozenset()
     network: str = ""
     ipc: str = ""
-    sources: Mapping[str, str] = field(default_factory=dict)
+    sources: Mapping[str, str] = field(default_factory=dict)  # the mounts' paths on the engine's machine; empty if none
 
     def loss(self, program: str) -> str:
         """What is lost if it is removed, for remedies."""
@@ -140,30 +103,20 @@ Address = str | tuple[str, int]
 
 @dataclass(frozen=True)
 class Host:
-    """This machine.
-
-    Attributes:
-        root: the folder that has its files.
-        environment: the caller's variables.
-        connects: whether something listens at an address; a path has the root already.
-        owns: whether an address, or the address of a name, is this machine's own.
-        echoes: whether a multicast packet to a port comes back.
-        architecture: of its processor, as images name it: `amd64`; empty if unknown.
-    """
+    """This machine, whose files are below `root`. `host.py` says what `connects`, `owns` and `echoes` are; a path has the root already."""
 
     root: Path
-    environment: Mapping[str, str] = field(default_factory=dict)
+    environment: Mapping[str, str] = field(default_factory=dict)  # the caller's
     name: str = ""
     connects: Callable[[Address], bool] = lambda address: False
     owns: Callable[[str], bool] = lambda name: False
     echoes: Callable[[int], bool] = lambda port: False
-    architecture: str = ""
+    architecture: str = ""  # as images name it, such as `amd64`; empty if unknown
 
     def path(self, place: str) -> Path:
         return self.root / place.lstrip("/")
 
     def has(self, *places: str) -> bool:
-        """Whether there is a file at each of these paths."""
         return all(self.path(place).exists() for place in places)
 
     def content(self, place: str) -> bytes:
@@ -178,7 +131,6 @@ class Host:
         return self.content(place).decode(errors="replace")
 
     def files(self, folder: str) -> list[str]:
-        """The paths of the files in a folder."""
         try:
             return [f"{folder}/{name}" for name in sorted(os.listdir(self.path(folder)))]
         except OSError:
@@ -204,11 +156,7 @@ class Host:
 
 @dataclass(frozen=True)
 class Context:
-    """All facts.
-
-    Attributes:
-        trusted: the user trusts the image's repository, so the image may start as root. The image's own labels do not count.
-    """
+    """All facts. `trusted`: the user trusts the image's repository, so that the image may start as root."""
 
     line: Line
     engine: Engine

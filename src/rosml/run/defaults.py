@@ -29,21 +29,13 @@ LIMIT = 64 * 1024
 
 @dataclass(frozen=True)
 class File:
-    """A file with defaults.
-
-    Attributes:
-        content: its bytes, read once.
-        owner: its user's uid.
-        line: its settings as a command line, with absolute paths.
-        leads: the paths in a project's file and their targets. `line` has the targets, so that a link that changes later
-            leads the engine nowhere else.
-    """
+    """A file with defaults. `line` has the targets of links, so that a link that changes later leads the engine nowhere else."""
 
     path: str
     content: bytes
     owner: int
-    line: Line
-    leads: tuple[paths.Lead, ...] = ()
+    line: Line  # its settings, with absolute paths
+    leads: tuple[paths.Lead, ...] = ()  # the paths in a project's file
 
 
 @dataclass(frozen=True)

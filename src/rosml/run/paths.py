@@ -161,18 +161,12 @@ WRITTEN: dict[str, Callable[[str, Change], str]] = {
 
 @dataclass(frozen=True)
 class Lead:
-    """A path in a file with defaults.
-
-    Attributes:
-        target: where its links lead.
-        words: the option's words, with the target.
-        reads: the engine reads the content.
-    """
+    """A path in a file with defaults."""
 
     path: str
-    target: str
-    words: tuple[str, ...] = ()
-    reads: bool = False
+    target: str  # where its links lead
+    words: tuple[str, ...] = ()  # of the option, with the target
+    reads: bool = False  # the engine reads the content
 
     def shown(self, folder: str) -> str:
         """The path for people; empty if it has no link. `folder` is the project's."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
 from rosml.run import paths
@@ -15,18 +15,12 @@ from rosml.run.plugins.discovery import BUILT_IN, omission
 
 @dataclass(frozen=True)
 class Plan:
-    """The plan of a call.
-
-    Attributes:
-        argv: the engine's command.
-        folders: folders of this machine that -v mounts.
-        files, notes: as in `Added`.
-    """
+    """The plan of a call. `files` and `notes` are those of `Added`."""
 
     argv: tuple[str, ...]
-    folders: tuple[str, ...] = ()
-    files: Mapping[str, bytes] = field(default_factory=dict)
-    notes: tuple[tuple[str, str], ...] = ()
+    folders: tuple[str, ...]  # of this machine, that -v mounts
+    files: Mapping[str, bytes]
+    notes: tuple[tuple[str, str], ...]
 
 
 def make_plan(context: Context, plugins: Iterable[Plugin] = BUILT_IN) -> Plan:

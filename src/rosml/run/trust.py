@@ -28,14 +28,8 @@ NAMESPACE = "rosml"
 
 def repository(name: str, identity: str, podman: bool) -> str:
     """The repository of an image, with its registry and without tag and digest: `docker.io/library/ros` for `ros:jazzy`. If the
-    user names an image by its id, or in another way, it is its own repository. Upper and lower case differ.
-
-    Args:
-        name: the image as typed.
-        identity: the image's id, without `sha256:`.
-        podman: podman resolves a name without a registry by its own settings, so such a name stays as it is, and is no
-            repository elsewhere.
-    """
+    user names an image by its id, or in another way, it is its own repository. Upper and lower case differ. podman resolves a name
+    without a registry by its own settings, so such a name stays as it is, and is no repository elsewhere."""
     reference, by_id = REFERENCE.fullmatch(name), ID.fullmatch(name)
     path = podman and name.partition(":")[0] in PODMAN_TRANSPORTS and ":" in name
     if not reference or path or (by_id and identity.startswith(by_id["hex"])):

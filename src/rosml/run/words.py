@@ -51,16 +51,11 @@ LETTERS = ("-it", "-ti", "-v", "-e", "-p")
 
 @dataclass(frozen=True)
 class TypedOption:
-    """Options of the engine as typed: `--rm`, `-e A=b` (two words), or `-it` (two options in a word).
-
-    Attributes:
-        names: the long names of the options in the words, such as `env`.
-        value: the value of the last option, at the end of the last word; None if it is a switch.
-    """
+    """Options of the engine as typed: `--rm`, `-e A=b` (two words), or `-it` (two options in a word)."""
 
     words: tuple[str, ...]
-    names: tuple[str, ...]
-    value: str | None = None
+    names: tuple[str, ...]  # long ones, such as `env`
+    value: str | None = None  # of the last option, at the end of the last word; None if it is a switch
 
     def with_value(self, value: str) -> TypedOption:
         """The same with another value, written in the same way."""
@@ -70,19 +65,12 @@ class TypedOption:
 
 @dataclass(frozen=True)
 class Line:
-    """A command line.
+    """A command line."""
 
-    Attributes:
-        rosml: words for rosml itself.
-        engine: options for the engine.
-        image: empty if there is none.
-        command: all words after the image.
-    """
-
-    rosml: tuple[str, ...]
+    rosml: tuple[str, ...]  # words for rosml itself
     engine: tuple[TypedOption, ...]
-    image: str
-    command: tuple[str, ...]
+    image: str  # empty if there is none
+    command: tuple[str, ...]  # all words after the image
 
     @property
     def engine_words(self) -> list[str]:
@@ -147,12 +135,8 @@ def table() -> Table:
 
 
 def split(words: Collection[str], rosml_options: Collection[str], with_value: Collection[str] = ()) -> Line:
-    """Reads a command line as docker and podman read theirs: the first word that is no option is the image.
-
-    Args:
-        rosml_options: rosml's own options, such as `--dry-run`.
-        with_value: those that take a value; the others are switches.
-    """
+    """Reads a command line as docker and podman read theirs: the first word that is no option is the image. Of rosml's own options, such
+    as `--dry-run`, those of `with_value` take a value."""
     rosml_words: list[str] = []
     engine: list[TypedOption] = []
     rest = iter(words)

@@ -19,18 +19,12 @@ from rosml.run.plan import Plan
 
 @dataclass(frozen=True)
 class Kind:
-    """A kind of file.
+    """A kind of file."""
 
-    Attributes:
-        seen: the context there, such as of a machine on which nobody logs in.
-        settled: the context once we know whether the image may start as root.
-        service: it starts without a terminal.
-    """
-
-    seen: Callable[[Context], Context]
+    seen: Callable[[Context], Context]  # the context there, such as of a machine on which nobody logs in
     text: Callable[[Call], str]
-    settled: Callable[[Context], Context] = lambda context: context
-    service: bool = False
+    settled: Callable[[Context], Context] = lambda context: context  # once we know whether the image may start as root
+    service: bool = False  # it starts without a terminal
 
 
 KINDS = {
@@ -53,15 +47,13 @@ def write(context: Context, planned: Callable[[Context], Plan], kind: str, add: 
     call = describe(context, plan.argv, place)
     if form.service:
         missing = [folder for folder in plan.folders if not context.host.has(folder)]
-        notes = [
-            (f"{shown(folder)} is missing here, and podman makes no folder", f"mkdir -p {container.shown([folder])}")
-            for folder in missing
-        ]
-        for text, remedy in (*lacking_command(call), *notes):
+        for text, remedy in lacking_command(call):
             command.warn(text, remedy)
+        for folder in missing:
+            text = f"{shown(folder)} is missing here, and podman makes no folder"
+            command.warn(text, f"mkdir -p {container.shown([folder])}")
     if add is not None:
-        message = compose_file.add(Path(add), call)
-        terminal.echo(message, err=True)
+        terminal.echo(compose_file.add(Path(add), call), err=True)
         return
     document = form.text(call)
     with container.printing():

@@ -228,12 +228,8 @@ def begin(context: Context, *more: Plugin) -> None:
 def _with_variant(
     program: str, line: Line, caller: Person, name: str = "", elsewhere: bool = False
 ) -> tuple[Line, Facts]:
-    """The command line with the image for a machine, if the typed one exists for several accelerators, and the facts about it.
-
-    Args:
-        name: the wanted name of a container, or an empty text.
-        elsewhere: it is for another machine than this one.
-    """
+    """The command line with the image for this machine, or one elsewhere, if the typed one exists for several accelerators, and the facts
+    about it, also those of the container with the name."""
     from rosml.run import engine, variants
     from rosml.run.host import host
 

@@ -22,18 +22,12 @@ BY_HAND = "add the service by hand: without --add, it is printed"
 
 @dataclass(frozen=True)
 class Edit:
-    """An addition.
+    """An addition: a text, and its events among those of the file."""
 
-    Attributes:
-        line: the number of the line before which it stands.
-        event, replaced: where its own events stand among those of the file, and how many they replace.
-        events: its own events.
-    """
-
-    line: int
+    line: int  # before which it stands
     text: str
-    event: int
-    replaced: int
+    event: int  # before which its events stand
+    replaced: int  # how many events they replace
     events: Sequence[Any]
 
 

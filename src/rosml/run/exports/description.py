@@ -37,21 +37,14 @@ class Option:
 
 @dataclass(frozen=True)
 class Call:
-    """A call: the one description from which all files are written.
+    """A call: the one description from which all files are written."""
 
-    Attributes:
-        name: its name for people: that of --name, or from the folder.
-        options: the engine's options. If two set the same thing, the last one counts.
-        folder: the current folder.
-        place: the folder for which the file is; paths in it are relative there.
-    """
-
-    name: str
-    options: tuple[Option, ...]
+    name: str  # that of --name, or from the folder
+    options: tuple[Option, ...]  # if two set the same thing, the last one counts
     image: str
     command: tuple[str, ...]
-    folder: str
-    place: str
+    folder: str  # the current one
+    place: str  # the folder for which the file is; paths in it are relative there
     engine: Engine
     about: Image
 

@@ -50,12 +50,7 @@ class Discovery:
 
 
 def discover(reserved: Iterable[str], folders: Sequence[str] | None = None) -> Discovery:
-    """All plugins. If one of another package cannot be loaded, or takes an option that is taken, it is left out.
-
-    Args:
-        reserved: options that no plugin may have, without `--`.
-        folders: the folders of packages; by default, those of Python.
-    """
+    """All plugins. One of another package that cannot be loaded, or takes an option that is taken or reserved, is left out."""
     plugins, notes = [*BUILT_IN], list[tuple[str, str]]()
     options = {*reserved, *words.table().names, *(option for plugin in BUILT_IN for option in plugin.options)}
     for package, entry, place in registered(sys.path if folders is None else folders):

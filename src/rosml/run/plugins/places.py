@@ -48,21 +48,14 @@ def no_network(context: Context) -> str:
 
 @dataclass(frozen=True)
 class Place:
-    """A place where nodes run.
-
-    Attributes:
-        name: its name in messages.
-        network, ipc: `host`, `container:…`, a name, or `private`.
-        uid: the owner of its files in shared memory, seen from outside; empty if unknown.
-        default: the default RMW implementation; empty if unknown.
-    """
+    """A place where nodes run."""
 
     name: str
     environment: Mapping[str, str]
-    network: str = HOST
+    network: str = HOST  # or `container:…`, a name, or `private`
     ipc: str = HOST
-    uid: str = ""
-    default: str = ""
+    uid: str = ""  # the owner of its files in shared memory, seen from outside; empty if unknown
+    default: str = ""  # the default RMW implementation; empty if unknown
 
     @property
     def version(self) -> str:
