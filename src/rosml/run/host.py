@@ -1,14 +1,17 @@
-"""This machine: its files and its listeners."""
+"""This machine: its files, its listeners, and the user who calls."""
 
 from __future__ import annotations
 
-import contextlib
 import errno
 import os
+import pwd
+import stat
 from collections.abc import Mapping
+from contextlib import suppress
 from pathlib import Path
 
-from rosml.run.context import Address, Host
+from rosml.base.errors import RosmlError
+from rosml.run.context import Address, Host, Person
 
 ROOT = Path("/")
 ARCHITECTURES = {"x86_64": "amd64", "aarch64": "arm64"}
@@ -17,12 +20,53 @@ NO_ADDRESS = (OSError, OverflowError, UnicodeError)
 """Errors of addresses that do not answer, of ports beyond 65535, and of names with an empty part."""
 
 GROUP = "239.255.0.1"
+ZONES = "zoneinfo/"
 
 
 def host(environment: Mapping[str, str]) -> Host:
     system = os.uname()
     architecture = ARCHITECTURES.get(system.machine, "")
     return Host(ROOT, environment, system.nodename, connects, owns, echoes, architecture)
+
+
+def person(environment: Mapping[str, str]) -> Person:
+    """The user of this process."""
+    uid, name = os.geteuid(), ""
+    with suppress(KeyError):
+        name = pwd.getpwuid(uid).pw_name
+    try:
+        folder = os.getcwd()
+    except OSError as error:
+        raise RosmlError(f"the current folder: {error.strerror}", "go to another folder", exit_code=2) from None
+    locale = {k: v for k, v in environment.items() if k in ("LANG", "LANGUAGE") or k.startswith("LC_")}
+    terminal = os.isatty(0) and os.isatty(1)
+    return Person(uid, os.getegid(), name, folder, timezone(environment), locale, terminal, reads(0))
+
+
+def timezone(environment: Mapping[str, str], etc: Path = Path("/etc")) -> str:
+    """The name of the time zone: that of TZ, or else the system's; empty if neither has a name."""
+    places = [environment.get("TZ", "").removeprefix(":")]
+    with suppress(OSError):
+        places.append(os.readlink(etc / "localtime"))
+    with suppress(OSError, UnicodeDecodeError):
+        places.append((etc / "timezone").read_text(encoding="utf-8").strip())
+    return next(filter(None, map(_zone, places)), "")
+
+
+def _zone(place: str) -> str:
+    """The zone of a path, or of a name; empty for a path to anywhere else."""
+    if ZONES in place:
+        return place.rpartition(ZONES)[2]
+    return "" if place.startswith(("/", ".")) else place
+
+
+def reads(descriptor: int) -> bool:
+    """Whether a descriptor may have something to read: a terminal, a pipe or a file; not /dev/null or a closed one."""
+    try:
+        status = os.fstat(descriptor)
+        return not (stat.S_ISCHR(status.st_mode) and status.st_rdev == os.stat(os.devnull).st_rdev)
+    except OSError:
+        return False
 
 
 def connects(address: Address) -> bool:
@@ -63,7 +107,7 @@ def echoes(port: int) -> bool:
             connection.setsockopt(socket.SOL_SOCKET, option, 1)
         connection.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 0)
         try:
-            with contextlib.suppress(OSError):
+            with suppress(OSError):
                 connection.bind(("", port))
             if not connection.getsockname()[1]:
                 connection.bind(("", 0))
@@ -85,7 +129,7 @@ def write(path: Path, content: bytes) -> None:
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     if os.lstat(path.parent).st_uid not in (os.geteuid(), 0):
         raise PermissionError(errno.EPERM, "its folder is another user's", str(path))
-    with contextlib.suppress(OSError):
+    with suppress(OSError):
         if path.read_bytes() == content and path.stat().st_mode & 0o777 == 0o600:
             return
     new = path.with_name(f".{path.name}.{os.getpid()}")

@@ -113,9 +113,8 @@ from rosml.run import host
 host.ROOT, sys.argv = Path(sys.argv[1]), ["rosml", *sys.argv[2:]]
 if uid := os.environ.get("DESK_UID", ""):
     from dataclasses import replace
-    from rosml.run import person
-    found = person.person
-    person.person = lambda environment: replace(found(environment), uid=int(uid), gid=int(uid), name="jo")
+    found = host.person
+    host.person = lambda environment: replace(found(environment), uid=int(uid), gid=int(uid), name="jo")
 from rosml.cli.main import run
 sys.exit(run())
 """

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from fakes.desks import DOCKER, OTHER, OURS, PODMAN, UID, Desk, docker_desk, labelled, plain
-from rosml.run import person
+from rosml.run import host
 
 
 @pytest.fixture
@@ -105,8 +105,8 @@ def test_output_into_a_pipe_has_no_terminal(desk: Desk) -> None:
 
 def test_input(desk: Desk, tmp_path: Path) -> None:
     assert subprocess_of(desk, "ubuntu", "read", input=b"a\nb", capture_output=True).stdout == b"A\nB"
-    assert "-i" in desk.ran and not person.reads(os.open(os.devnull, os.O_RDONLY))
-    assert person.reads(os.open(tmp_path, os.O_RDONLY))
+    assert "-i" in desk.ran and not host.reads(os.open(os.devnull, os.O_RDONLY))
+    assert host.reads(os.open(tmp_path, os.O_RDONLY))
     closed = ["/bin/sh", "-c", 'exec "$@" <&-', "sh", *desk.argv("ubuntu")]
     assert subprocess.run(closed, env=desk.environment, cwd=desk.folder).returncode == 0 and "-i" not in desk.calls[-1]
 

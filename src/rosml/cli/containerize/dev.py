@@ -125,7 +125,7 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
     """
     from rosml.containerize.build import dev_folder
     from rosml.run import engine, paths
-    from rosml.run.person import person
+    from rosml.run.host import person
 
     line: words.Line = context.meta[container.LINE]
     caller = person(os.environ)

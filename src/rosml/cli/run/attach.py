@@ -38,7 +38,7 @@ def main(context: click.Context, /) -> None:
       rosml attach robot htop
     """
     from rosml.run import attach, engine
-    from rosml.run.person import person
+    from rosml.run.host import person
 
     line: words.Line = context.meta[container.LINE]
     if line.image in ("", attach.HERE):

@@ -158,7 +158,7 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
 def enter_folder(line: words.Line, command: str) -> None:
     """Enters the container of the current folder. `command` is the call, for messages."""
     from rosml.run import attach, engine
-    from rosml.run.person import person
+    from rosml.run.host import person
     from rosml.run.plugins.basic_options import FOLDER_LABEL
 
     program, caller = engine.program(os.environ), person(os.environ)

@@ -113,7 +113,7 @@ def main(context: click.Context, /, export: str | None, add: str | None) -> None
       rosml run . colcon build
     """
     from rosml.run import attach, engine
-    from rosml.run.person import person
+    from rosml.run.host import person
 
     line: Line = context.meta[container.LINE]
     _check_words(line)

@@ -63,9 +63,8 @@ def added(text: str, content: Mapping[str, Mapping[str, Any]], text_name: str) -
         ending = newline if text and text[-1] not in "\r\n" else ""
         return text + ending + yaml_text.text(content).replace("\n", newline)
     sections = [_section(text, events, name, content[name], text_name) for name in SECTIONS if content.get(name)]
-    edits = sorted(
-        filter(None, sections), key=lambda edit: (edit.line, edit.event)
-    )  # at the same line: the inner one first
+    # At the same line, the inner one comes first.
+    edits = sorted(filter(None, sections), key=lambda edit: (edit.line, edit.event))
     lines, signatures = text.splitlines(keepends=True), [*map(_signature, events)]
     if any(edit.line == len(lines) for edit in edits) and lines[-1][-1] not in "\r\n":
         lines[-1] += newline
@@ -85,11 +84,9 @@ def _events(text: str, text_name: str) -> list[Any]:
         untrusted.yaml_node(text)
     except yaml.YAMLError as error:
         mark: Any = getattr(error, "problem_mark", None)
-        why = (
-            f"line {mark.line + 1}: {getattr(error, 'problem', '')}"
-            if mark
-            else "it has a character that YAML does not allow"
-        )
+        why = "it has a character that YAML does not allow"
+        if mark:
+            why = f"line {mark.line + 1}: {getattr(error, 'problem', '')}"
         raise RosmlError(f"{text_name} is no YAML: {why}", "correct it", exit_code=2) from None
     starts = [event for event in events if isinstance(event, yaml.DocumentStartEvent)]
     if not starts:
@@ -144,7 +141,7 @@ def _section(text: str, events: Sequence[Any], name: str, additions: Mapping[str
     present = _pairs(events, value) if isinstance(start, yaml.MappingStartEvent) else {}
     section = _value(untrusted.yaml_node(text), name)
     for key in [key for key in additions if key in present]:
-        if not _alike(_value(section, key), untrusted.yaml_node(yaml_text.text(additions[key]))):
+        if _meaning(_value(section, key)) != _meaning(untrusted.yaml_node(yaml_text.text(additions[key]))):
             kind = name.removesuffix("s")
             remedy = "--name gives the service another name" if name == "services" else f"rename that {kind}"
             raise RosmlError(f"{text_name} has a {kind} {key} already, with other content", remedy, exit_code=2)
@@ -194,14 +191,10 @@ def _value(node: Any, key: str) -> Any:
     return next((value for name, value in node.value if name.value == key), None)
 
 
-def _alike(first: Any, second: Any) -> bool:
-    """Whether two nodes mean the same; the order of keys does not count."""
-    if first is None or second is None or first.tag != second.tag:
-        return False
-    if isinstance(first, yaml.ScalarNode):
-        return bool(first.value == second.value)
-    if len(first.value) != len(second.value):
-        return False
-    if isinstance(first, yaml.SequenceNode):
-        return all(map(_alike, first.value, second.value))
-    return all(_alike(value, _value(second, key.value)) for key, value in first.value)
+def _meaning(node: Any) -> tuple[str, object]:
+    """A node's tag and value, to compare two of them; the order of keys does not count."""
+    if isinstance(node, yaml.ScalarNode):
+        return node.tag, node.value
+    if isinstance(node, yaml.SequenceNode):
+        return node.tag, tuple(map(_meaning, node.value))
+    return node.tag, frozenset((_meaning(key)[1], _meaning(value)) for key, value in node.value)

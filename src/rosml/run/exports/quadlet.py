@@ -62,12 +62,6 @@ VARIABLE = re.compile("[A-Za-z_][A-Za-z0-9_.-]*")
 ESCAPES = {'"': r"\"", "\\": r"\\", "\n": r"\n", "\r": r"\r", "\t": r"\t", "%": "%%", "$": "$$"}
 ESCAPED = str.maketrans({**{code: f"\\x{code:02x}" for code in (*range(32), 127)}, **str.maketrans(ESCAPES)})
 
-START_TIMEOUT = 900
-"""Seconds for a start: the first one pulls the image. systemd's default is 90."""
-
-RESTART_DELAY = 5
-"""Seconds before another start. With less than 2, systemd gives up after 5 starts."""
-
 STOP_TIMEOUT = 60
 """Seconds for a stop for which systemd's default of 90 is enough."""
 
@@ -194,8 +188,8 @@ def _policy(call: Call) -> Iterator[str]:
         text = f"--restart {policy} does not go with --export {KIND}: systemd has no such rule"
         raise RosmlError(text, f"write one of {', '.join(RESTARTS)}", exit_code=2)
     yield f"Restart={RESTARTS[policy]}"
-    yield f"RestartSec={RESTART_DELAY}"
-    yield f"TimeoutStartSec={START_TIMEOUT}"
+    yield "RestartSec=5"  # with less than 2, systemd gives up after 5 starts
+    yield "TimeoutStartSec=900"  # the first start pulls the image; systemd's default is 90
     if timeout == "-1":
         yield "TimeoutStopSec=infinity"
     elif COUNT.fullmatch(timeout) and int(timeout) > STOP_TIMEOUT:

@@ -11,7 +11,7 @@ from importlib import import_module
 
 from rosml.run import words
 from rosml.run.plugin import GROUP, Plugin
-from rosml.run.plugins import basic_options, devices, gpu, ros, sockets
+from rosml.run.plugins import basic_options, gpu, ros, sockets
 from rosml.run.plugins.user import user
 
 BUILT_IN: tuple[Plugin, ...] = (
@@ -31,8 +31,7 @@ BUILT_IN: tuple[Plugin, ...] = (
             "mws": "mount the current folder as $WORKSPACE/src/target",
         },
     ),
-    devices.PLUGIN,
-    gpu.PLUGIN,
+    *gpu.PLUGINS,
     *sockets.PLUGINS,
     ros.PLUGIN,
 )

@@ -14,7 +14,7 @@ from rosml.base.errors import RosmlError
 from rosml.images.image_set import labels
 from rosml.run.context import Engine, Image, Person
 from rosml.run.plugin import Added
-from rosml.run.plugins import chips, devices, gpu
+from rosml.run.plugins import chips, gpu
 
 UID, GID = os.geteuid(), os.getegid()
 CDI = ["--device", "nvidia.com/gpu=all"]
@@ -117,10 +117,10 @@ def test_the_groups_of_devices(machine: Machine) -> None:
     own_gid = 20 if UID == 0 else GID
     for gid, expected in ((GID + 1, groups), (own_gid, groups - {str(own_gid)})):
         context = machine.context(*words, me=Person(1, gid, "me", "/"))
-        assert {*devices.devices(context)} - {"--group-add"} == expected
+        assert {*gpu.devices(context)} - {"--group-add"} == expected
     for engine in (PODMAN_ENGINE, Engine(machine="elsewhere")):
-        assert devices.devices(machine.context(*words, engine=engine)) == []
-    assert devices.devices(machine.context(*words, "--group-add", "keep-groups")) == []
+        assert gpu.devices(machine.context(*words, engine=engine)) == []
+    assert gpu.devices(machine.context(*words, "--group-add", "keep-groups")) == []
 
 
 PROC = "/proc/driver/nvidia/version"

@@ -12,7 +12,7 @@ from conftest import ROOT
 from fakes.desks import BARE, LOCKED, OTHER, OURS
 from fakes.exports import OWN
 from rosml.base.errors import RosmlError
-from rosml.run import person
+from rosml.run import host
 from rosml.run.context import Context, Engine, Image, Person
 from rosml.run.paths import bind, resolved
 from rosml.run.plan import make_plan
@@ -227,7 +227,7 @@ def test_the_containers_name(folder: str, image: str, name: str) -> None:
 
 def test_the_time_zone(tmp_path: Path) -> None:
     def zone(text: str = "") -> str:
-        return person.timezone({"TZ": text} if text else {}, tmp_path)
+        return host.timezone({"TZ": text} if text else {}, tmp_path)
 
     assert zone() == ""
     (tmp_path / "timezone").write_text("Asia/Tokyo\n")
