@@ -89,11 +89,8 @@ def ros_2(context: Context, place: Place, here: Place | None, installed: Sequenc
         yield router(context, place)
         return
     yield discovery_range(context, place)
-    shared = memory(place)
-    if shared:
-        yield shared
-        yield from owner(place, here)
-        yield size(context, place)
+    if place.shares_memory:
+        yield from memory(context, place, here)
     if place.network == HOST and context.is_here and not (context.engine.rootless and not context.engine.podman):
         if place.discovery_range in ("SUBNET", "SYSTEM_DEFAULT") and not place.environment.get("ROS_DISCOVERY_SERVER"):
             yield multicast(context, place)
@@ -163,28 +160,23 @@ def discovery_range(context: Context, place: Place) -> Finding:
     return Finding(subject, GOOD, "LOCALHOST: this machine alone")
 
 
-def memory(place: Place) -> Finding | None:
-    """Shared memory, through which Fast DDS hands data to nodes that seem to be on the same machine; None if it does not."""
-    if not place.shares_memory:
-        return None
-    if not place.joins_another:
-        return Finding("shared memory", GOOD, "its own, as its network is")
-    if place.has_their_memory:
-        return Finding("shared memory", GOOD, f"--ipc {place.ipc}")
-    text = f"its own, with --network {place.network}: nodes find each other, and no data arrives"
-    return Finding("shared memory", PROBLEM, text, places.share(place.network))
-
-
-def owner(place: Place, here: Place | None) -> Iterator[Finding]:
-    """The user whose processes may open the shared memory."""
-    if place.ipc != HOST or place.network != HOST or not place.uid:
-        return
-    if not here or here.uid == place.uid:
+def memory(context: Context, place: Place, here: Place | None) -> Iterator[Finding]:
+    """Shared memory, through which Fast DDS hands data to nodes that seem to be on the same machine: whose it is, who may open it, its
+    size."""
+    if place.joins_another and not place.has_their_memory:
+        text = f"its own, with --network {place.network}: nodes find each other, and no data arrives"
+        yield Finding("shared memory", PROBLEM, text, places.share(place.network))
+    else:
+        text = f"--ipc {place.ipc}" if place.joins_another else "its own, as its network is"
+        yield Finding("shared memory", GOOD, text)
+    is_shared = place.ipc == place.network == HOST and place.uid
+    if is_shared and here and here.uid != place.uid:
+        remedy = f"--user {here.uid}, or leave out --no-user; or without shared memory: {places.WITHOUT_SHARED_MEMORY}"
+        text = f"{place.uid}, and {here.uid} here: not both can open each other's memory"
+        yield Finding("user", PROBLEM, text, remedy)
+    elif is_shared:
         yield Finding("user", GOOD, place.uid)
-        return
-    remedy = f"--user {here.uid}, or leave out --no-user; or without shared memory: {places.WITHOUT_SHARED_MEMORY}"
-    text = f"{place.uid}, and {here.uid} here: not both can open each other's memory"
-    yield Finding("user", PROBLEM, text, remedy)
+    yield size(context, place)
 
 
 def size(context: Context, place: Place) -> Finding:

@@ -19,6 +19,9 @@ ENGINE = "ROSML_ENGINE"
 """The environment variable that names an engine, or its path."""
 
 ENGINES = ("docker", "podman")
+INFO = ("info", "--format", answers.JSON)
+INSPECT_IMAGE = ("image", "inspect", "--format", answers.JSON)
+INSPECT_CONTAINERS = ("container", "inspect", "--format", answers.CONTAINER)
 PULL_OPTIONS = (
     *("arch", "authfile", "cert-dir", "creds", "decryption-key", "disable-content-trust", "os", "platform", "quiet"),
     *("retry", "retry-delay", "signature-policy", "tls-verify", "variant"),
@@ -59,8 +62,8 @@ def program(environment: Mapping[str, str]) -> str:
 
 def ask(command: str, image: str, name: str) -> Facts:
     """All facts about an engine, an image as typed and, unless the name is empty, a container. It asks all at the same time."""
-    processes = [_begin(command, "info", "--format", answers.JSON), _begin(command, *_inspect_image(image))]
-    processes += [_begin(command, *_inspect_containers(name))] if name else []
+    processes = [_begin(command, *INFO), _begin(command, *INSPECT_IMAGE, image)]
+    processes += [_begin(command, *INSPECT_CONTAINERS, name)] if name else []
     info, image_answer, *container_answers = map(_end, processes)
     engine = answers.engine(command, info)
     containers = [match for answer in container_answers for match in answers.containers(command, answer, name)]
@@ -74,12 +77,12 @@ def ask(command: str, image: str, name: str) -> Facts:
 
 def about(command: str) -> Engine:
     """The facts about an engine; guessed from its name if it says nothing."""
-    return answers.engine(command, _info(command)) or _guessed(command)
+    return answers.engine(command, _ask(command, *INFO)) or _guessed(command)
 
 
 def answering(command: str) -> Engine:
     """The facts about an engine. It is an error if it does not answer."""
-    info = _info(command)
+    info = _ask(command, *INFO)
     if engine := answers.engine(command, info):
         return engine
     raise _silent(command, info.complaint)
@@ -87,14 +90,14 @@ def answering(command: str) -> Engine:
 
 def image(command: str, identity: str) -> Image | None:
     """An image by its name or digest; None if the engine does not have it."""
-    return answers.image(command, _ask(command, *_inspect_image(identity)), identity)
+    return answers.image(command, _ask(command, *INSPECT_IMAGE, identity), identity)
 
 
 def container(command: str, name: str) -> Container | None:
     """A container by its name or id; None if there is none."""
-    answer = _ask(command, *_inspect_containers(name))
+    answer = _ask(command, *INSPECT_CONTAINERS, name)
     containers = answers.containers(command, answer, name)
-    if not containers and answers.engine(command, _info(command)) is None:
+    if not containers and answers.engine(command, _ask(command, *INFO)) is None:
         raise _silent(command, answer.complaint)
     return containers[0] if containers else None
 
@@ -115,7 +118,7 @@ def _listed(command: str, *options: str) -> list[Container]:
         raise _silent(command, listing.complaint)
     ids = answers.ids(command, listing, answers.CONTAINER_ID, "ps", "--all", "--quiet")
     # A container that ends meanwhile is missing in the answer.
-    return answers.containers(command, _ask(command, *_inspect_containers(*ids)), *ids) if ids else []
+    return answers.containers(command, _ask(command, *INSPECT_CONTAINERS, *ids), *ids) if ids else []
 
 
 def folder(command: str, image: str, place: str) -> list[str]:
@@ -145,14 +148,9 @@ def container_names(command: str) -> list[str]:
 
 
 def _lines(command: str, list_: str, template: str, *options: str) -> list[str]:
+    argv, quiet = [command, list_, *options, "--format", template], subprocess.DEVNULL
     try:
-        done = subprocess.run(
-            [command, list_, *options, "--format", template],
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            timeout=COMPLETION_TIMEOUT,
-            check=False,
-        )
+        done = subprocess.run(argv, stdin=quiet, capture_output=True, timeout=COMPLETION_TIMEOUT, check=False)
     except (OSError, subprocess.TimeoutExpired):
         return []
     return done.stdout.decode(errors="replace").split() if done.returncode == 0 else []
@@ -235,18 +233,6 @@ def _guessed(command: str) -> Engine:
     return Engine(command, podman, rootless=podman and os.geteuid() != 0, cdi=PODMAN_CDI if podman else ())
 
 
-def _inspect_image(name: str) -> list[str]:
-    return ["image", "inspect", "--format", answers.JSON, name]
-
-
-def _inspect_containers(*names: str) -> list[str]:
-    return ["container", "inspect", "--format", answers.CONTAINER, *names]
-
-
-def _info(command: str) -> Answer:
-    return _ask(command, "info", "--format", answers.JSON)
-
-
 def _ask(*argv: str) -> Answer:
     return _end(_begin(*argv))
 
@@ -254,9 +240,7 @@ def _ask(*argv: str) -> Answer:
 def _begin(*argv: str) -> subprocess.Popen[str]:
     pipe, quiet = subprocess.PIPE, subprocess.DEVNULL
     try:
-        return subprocess.Popen(
-            argv, stdin=quiet, stdout=pipe, stderr=pipe, text=True, errors="replace", encoding="utf-8"
-        )
+        return subprocess.Popen(argv, stdin=quiet, stdout=pipe, stderr=pipe, errors="replace", encoding="utf-8")
     except OSError as error:
         remedy = f"install it again, or name another one with {ENGINE}"
         raise RosmlError(f"{argv[0]} cannot be run: {error.strerror}", remedy) from None

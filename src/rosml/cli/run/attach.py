@@ -8,7 +8,7 @@ import click
 
 from rosml.base.errors import RosmlError
 from rosml.cli.run import container
-from rosml.run import words
+from rosml.run import attach, engine, host, words
 
 
 @click.command(
@@ -37,9 +37,6 @@ def main(context: click.Context, /) -> None:
       rosml attach . ros2 topic list
       rosml attach robot htop
     """
-    from rosml.run import attach, engine
-    from rosml.run.host import person
-
     line: words.Line = context.meta[container.LINE]
     if line.image in ("", attach.HERE):
         container.enter_folder(line, "rosml attach")
@@ -49,4 +46,4 @@ def main(context: click.Context, /) -> None:
     if entered is None:
         remedy = f"{program} ps --all lists them; rosml attach . COMMAND runs a command in the container of this folder"
         raise RosmlError(f"no container named {line.image}", remedy)
-    container.enter(program, line, person(os.environ), entered)
+    container.enter(program, line, host.person(os.environ), entered)

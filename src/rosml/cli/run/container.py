@@ -18,8 +18,9 @@ from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.checkout import Command
-from rosml.run import words
+from rosml.run import attach, engine, host, words
 from rosml.run.context import Container, Person
+from rosml.run.plugins.basic_options import FOLDER_LABEL
 
 LINE = "rosml.run.line"
 SETTINGS = {"allow_interspersed_args": False, "help_option_names": ["--help"]}
@@ -128,8 +129,6 @@ def become(argv: Sequence[str]) -> NoReturn:
 
 def enter(program: str, line: words.Line, caller: Person, container: Container) -> None:
     """Enters a container, or shows how. If the container has stopped, starts it first. `program` is the engine's command."""
-    from rosml.run import attach, engine
-
     attach.check_state(program, container)
     image = None if line.command else engine.image(program, container.image_id)
     argv = attach.argv(program, line, caller, container, image)
@@ -142,14 +141,13 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
         terminal.echo(f"{container.name} is {container.state}: {program} start {container.name} comes first", err=True)
 
     def begin() -> None:
-        from rosml.run.host import host, write
-        from rosml.run.plugins import sockets
+        from rosml.run.plugins import sockets  # few containers are started again
 
-        machine = host(os.environ)
+        machine = host.host(os.environ)
         here = engine.about(program).is_on(machine)
         for file, content in sockets.files_again(machine, caller, container).items() if here else ():
             with contextlib.suppress(OSError):  # the engine then says what is missing
-                write(machine.path(file), content)
+                host.write(machine.path(file), content)
         engine.start(program, container, here)
 
     perform(line, argv, begin)
@@ -157,10 +155,6 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
 
 def enter_folder(line: words.Line, command: str) -> None:
     """Enters the container of the current folder. `command` is the call, for messages."""
-    from rosml.run import attach, engine
-    from rosml.run.host import person
-    from rosml.run.plugins.basic_options import FOLDER_LABEL
-
-    program, caller = engine.program(os.environ), person(os.environ)
+    program, caller = engine.program(os.environ), host.person(os.environ)
     containers = engine.containers(program, FOLDER_LABEL)
     enter(program, line, caller, attach.of_folder(containers, caller.folder, command))

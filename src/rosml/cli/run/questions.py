@@ -14,7 +14,7 @@ from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.run import container
-from rosml.run import defaults, words
+from rosml.run import defaults, host, words
 from rosml.run.context import Context
 from rosml.run.plugins.user import needs_trust
 
@@ -104,9 +104,7 @@ def drop_typed() -> None:
 
 def keep(place: Path, content: bytes) -> None:
     """Writes the memory of answers. If that fails, rosml asks again next time."""
-    from rosml.run.host import write
-
     try:
-        write(place, content)
+        host.write(place, content)
     except OSError as error:
         command.warn(f"{place}: {error.strerror}", "let this user write it; until then, rosml asks each time")

@@ -7,7 +7,6 @@ from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import replace
 from functools import cache
-from typing import TYPE_CHECKING
 
 import click
 
@@ -15,16 +14,15 @@ from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.run import container, questions
-from rosml.run import defaults
+from rosml.run import attach, defaults, engine, host, variants
 from rosml.run.context import Context, Person
 from rosml.run.defaults import HERE, Files
+from rosml.run.engine import Facts
 from rosml.run.plan import Plan, make_plan
 from rosml.run.plugin import Plugin
+from rosml.run.plugins import basic_options, gpu
 from rosml.run.plugins.discovery import Discovery, discover
 from rosml.run.words import Line
-
-if TYPE_CHECKING:
-    from rosml.run.engine import Facts
 
 RESERVED = ("new", "no-defaults", questions.TRUST, "check", "verbose", "dry-run", "json", "export", "add", "help")
 """The command's own options: no plugin may have one of these names, and no file with defaults may set one."""
@@ -112,12 +110,9 @@ def main(context: click.Context, /, export: str | None, add: str | None) -> None
       rosml run
       rosml run . colcon build
     """
-    from rosml.run import attach, engine
-    from rosml.run.host import person
-
     line: Line = context.meta[container.LINE]
     _check_words(line)
-    caller = person(os.environ)
+    caller = host.person(os.environ)
     files = default_files(line, RESERVED, caller.folder)
     image = files.under(line).image
     purpose = next((name for name in ("new", "check") if line.asks(name)), f"export {export}" if export else "")
@@ -162,8 +157,6 @@ def _require_image(line: Line, image: str, purpose: str) -> None:
 def enter(line: Line, image: str) -> None:
     """Enters the container of the current folder, as no image is typed. An option may have taken the image as its value. `image` is
     that of the files with defaults."""
-    from rosml.run import attach
-
     remedy = "write the image after it: rosml run … IMAGE"
     if line.taken_word and not image and not set(line.engine[-1].names) <= attach.PASSED:
         if line.engine[-1].names[-1] == "name":  # docker-run enters a container so
@@ -180,15 +173,11 @@ def enter(line: Line, image: str) -> None:
 def start(program: str, typed: Line, caller: Person, files: Files) -> None:
     """Starts an image, or shows how. If the image is missing, it is pulled, unless the command is only shown. If it runs for
     this folder already, enters that container, which has the options of the files already."""
-    from rosml.run import attach, engine
-    from rosml.run.host import host
-    from rosml.run.plugins.basic_options import name_of
-
     if typed.asks("verbose"):
         for text in files.summary(typed):
             terminal.echo(text, err=True)
     line = files.under(typed)
-    image, name = line.image, "" if line.has("replace") else name_of(line, caller)
+    image, name = line.image, "" if line.has("replace") else basic_options.name_of(line, caller)
     line, facts = _with_variant(program, line, caller, name)
     if facts.container:
         attach.check_same(program, line, caller, facts.container, facts.image)
@@ -205,13 +194,11 @@ def start(program: str, typed: Line, caller: Person, files: Files) -> None:
         facts = engine.ask(program, line.image, "")
     if facts.image is None:
         raise engine.still_lacking(program, line.image)
-    begin(Context(line, facts.engine, caller, facts.image, host(os.environ)))
+    begin(Context(line, facts.engine, caller, facts.image, host.host(os.environ)))
 
 
 def begin(context: Context, *more: Plugin) -> None:
     """Starts a container, or shows how. `more` are plugins of the caller, after all others."""
-    from rosml.run.host import write
-
     plan, machine = planned(questions.settle_trust(context), *more), context.host
 
     def prepare() -> None:
@@ -220,7 +207,7 @@ def begin(context: Context, *more: Plugin) -> None:
                 with suppress(OSError):  # then the engine does what it can
                     machine.path(folder).mkdir(parents=True)
         for file, content in plan.files.items():
-            write(machine.path(file), content)
+            host.write(machine.path(file), content)
 
     container.perform(context.line, plan.argv, prepare)
 
@@ -230,13 +217,10 @@ def _with_variant(
 ) -> tuple[Line, Facts]:
     """The command line with the image for this machine, or one elsewhere, if the typed one exists for several accelerators, and the facts
     about it, also those of the container with the name."""
-    from rosml.run import engine, variants
-    from rosml.run.host import host
-
     facts = engine.ask(program, line.image, name)
     if facts.image is None or variants.LABEL not in facts.image.labels:
         return line, facts
-    context = Context(line, facts.engine, caller, facts.image, host(os.environ))
+    context = Context(line, facts.engine, caller, facts.image, host.host(os.environ))
     variant = variants.for_another_machine(context) if elsewhere else variants.for_this_machine(context)
     if not variant:
         return line, facts
@@ -255,13 +239,10 @@ def planned(context: Context, *more: Plugin) -> Plan:
 
 def _context(program: str, line: Line, caller: Person, elsewhere: bool = False) -> Context:
     """The context of an image that the engine must have, as it is not started. `elsewhere`: it will start on another machine."""
-    from rosml.run import engine
-    from rosml.run.host import host
-
     line, facts = _with_variant(program, line, caller, elsewhere=elsewhere)
     if facts.image is None:
         raise engine.lacking(program, line.image)
-    return Context(line, facts.engine, caller, facts.image, host(os.environ))
+    return Context(line, facts.engine, caller, facts.image, host.host(os.environ))
 
 
 def check_ros(program: str, line: Line, caller: Person, files: Files) -> None:
@@ -278,7 +259,6 @@ def check_ros(program: str, line: Line, caller: Person, files: Files) -> None:
 def export_call(program: str, line: Line, caller: Person, files: Files, kind: str, add: str | None) -> None:
     """Shows what would run, as a file of this kind; or adds it to the file `add`."""
     from rosml.cli.run import export
-    from rosml.run.plugins import gpu
 
     if other := next((name for name in ("check", "dry-run", "json") if line.asks(name)), ""):
         raise RosmlError(f"--export does not go with --{other}", "leave out one of them", exit_code=2)

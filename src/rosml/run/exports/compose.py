@@ -15,7 +15,7 @@ from rosml.run.exports.description import COUNT, Call, Option, fields, file, gpu
 from rosml.run.exports.yaml_text import merged, nested
 
 SAME_NAMES = (
-    *("annotation", "cpus", "domainname", "expose", "hostname", "ipc", "isolation", "pid", "platform"),
+    *("cpus", "domainname", "entrypoint", "expose", "hostname", "ipc", "isolation", "pid", "platform"),
     *("restart", "runtime", "tmpfs", "user", "uts", "cap-add", "cap-drop", "cgroup-parent", "cpu-count", "cpu-percent"),
     *("cpu-period", "cpu-quota", "cpu-rt-period", "cpu-rt-runtime", "cpu-shares", "dns", "dns-opt", "dns-search"),
     *("group-add", "init", "mac-address", "oom-kill-disable", "oom-score-adj", "pids-limit", "privileged", "read-only"),
@@ -32,7 +32,6 @@ NAMES = {
     "cpuset-cpus": "cpuset",
     "device": "devices",
     "device-cgroup-rule": "device_cgroup_rules",
-    "entrypoint": "entrypoint",
     "env": "environment",
     **{f"health-{name.replace('_', '-')}": f"healthcheck.{name}" for name in HEALTH},
     "health-cmd": "healthcheck.test",
@@ -98,8 +97,8 @@ def content(call: Call) -> dict[str, Any]:
         service["command"] = [*call.command]
     networks = {name: {"name": name, "external": True} for name in service.get("networks", ())}
     volumes = {name: {"name": name} for name in map(_volume_of, service.get("volumes", ())) if name}
-    others = {"networks": networks, "volumes": volumes}
-    return {"services": {call.name: service}, **{key: part for key, part in others.items() if part}}
+    document = {"services": {call.name: service}, "networks": networks, "volumes": volumes}
+    return {key: part for key, part in document.items() if part}
 
 
 def _part(option: Option, call: Call) -> dict[str, Any]:
@@ -119,9 +118,8 @@ def _part(option: Option, call: Call) -> dict[str, Any]:
 
 
 def _without(option: Option, option_text: str) -> RosmlError:
-    return RosmlError(
-        f"{option_text} has no counterpart in a file of compose", f"leave out --{option.name}", exit_code=2
-    )
+    text = f"{option_text} has no counterpart in a file of compose"
+    return RosmlError(text, f"leave out --{option.name}", exit_code=2)
 
 
 def _network(option: Option, call: Call) -> dict[str, Any]:
