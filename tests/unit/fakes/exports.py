@@ -15,7 +15,9 @@ from rosml.run.plan import make_plan
 from rosml.run.words import split
 
 ME = Person(1234, 5678, "jo", "/home/jo/robot", "Europe/Berlin")
-OWN = [name for option in run.main.get_params(click.Context(run.main)) for name in option.opts if name.startswith("--")]
+ROSML_OPTIONS = [
+    name for option in run.main.get_params(click.Context(run.main)) for name in option.opts if name.startswith("--")
+]
 DOCKER, ROOTLESS = Engine(), Engine(rootless=True)
 PODMAN = Engine("podman", podman=True, rootless=True)
 
@@ -34,7 +36,7 @@ def call(
     """The described call of a command line that has an image. `facts` are those of the image."""
     variables = dict(entry.partition("=")[::2] for entry in (OURS if ours else OTHER))
     image = Image(**{"environment": variables, "command": ("bash",), **facts})
-    context = KINDS[kind].seen(Context(split(line, OWN), engine, person, image, host, trusted))
+    context = KINDS[kind].seen(Context(split(line, ROSML_OPTIONS), engine, person, image, host, trusted))
     context = KINDS[kind].settled(context)
     return describe(context, make_plan(context).argv, place)
 

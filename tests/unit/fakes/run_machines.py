@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from fakes.exports import OWN
+from fakes.exports import ROSML_OPTIONS
 from rosml.run.context import Address, Context, Engine, Host, Image, Person
 from rosml.run.words import split
 
@@ -48,4 +48,6 @@ class Machine:
     ) -> Context:
         listens, owns = self.listens.__contains__, self.addresses.__contains__
         host = Host(self.root, self.environment, "robot", listens, owns, self._echoes, "amd64")
-        return Context(split([*words, "ros:jazzy"], OWN), engine or Engine(), me or self.me, image or Image(), host)
+        return Context(
+            split([*words, "ros:jazzy"], ROSML_OPTIONS), engine or Engine(), me or self.me, image or Image(), host
+        )

@@ -61,13 +61,6 @@ def test_a_missing_folder_is_made(desk: Desk) -> None:
     assert {path.name for path in desk.root.iterdir()} == {"file", folder.relative_to(desk.root).parts[0]}
 
 
-def test_a_folder_with_spaces_is_mounted_into_the_workspace(desk: Desk) -> None:
-    desk.folder = desk.folder / "my, 2nd: folder"
-    desk.folder.mkdir()
-    assert desk.call("--mws", "ours", "colcon", "build").returncode == 0
-    assert f'type=bind,"source={desk.folder}",target=/docker-ros/ws/src/target' in desk.ran
-
-
 def test_a_running_container_of_the_folders_name_is_left_alone(desk: Desk) -> None:
     desk.engine(containers={"dr": ["running", "/dr"]})
     assert desk.call("--no-tz", "ubuntu", "ls").returncode == 0
@@ -179,29 +172,23 @@ def test_which_engine_runs(desk: Desk) -> None:
 
 
 def test_an_engine_that_cannot_be_run(desk: Desk) -> None:
-    file = desk.folder / "file"
-    file.write_text("x")
-    for path in (file, desk.folder):
-        done = desk.call("ubuntu", ROSML_ENGINE=str(path))
-        assert done.returncode == 125 and f"error: '{path}', which ROSML_ENGINE names, cannot be run" in done.stderr
+    done = desk.call("ubuntu", ROSML_ENGINE=str(desk.folder))
+    assert done.returncode == 125 and "cannot be run: it is a folder" in done.stderr
     (desk.bin / "docker").write_text("no program")
     done = desk.call("ubuntu")
     assert done.returncode == 125 and "error: docker cannot be run: Exec format error\nremedy: " in done.stderr
 
 
 @pytest.mark.parametrize(
-    ("complaint", "says", "remedy"),
-    [
-        ("Cannot connect to the daemon", "docker does not answer: Cannot connect", "systemctl start docker"),
-        ("permission denied while trying", "docker does not let you in: permission", "usermod -aG docker"),
-    ],
+    ("complaint", "remedy"), [("Cannot connect", "start docker"), ("permission denied", "usermod")]
 )
-def test_an_engine_that_does_not_answer(desk: Desk, complaint: str, says: str, remedy: str) -> None:
+def test_an_engine_that_does_not_answer(desk: Desk, complaint: str, remedy: str) -> None:
     desk.engine(info={"ServerVersion": "", "ServerErrors": [complaint]}, images={}, complaint=complaint)
     desk.engine("podman", info=PODMAN)
-    done = desk.call("ubuntu")
-    assert done.returncode == 125 and says in done.stderr and remedy in done.stderr
-    assert "ROSML_ENGINE=podman" in done.stderr and not desk.called("pull") and not desk.called("run")
+    for desk.command, words in (("run", ["ubuntu"]), ("attach", []), ("attach", ["x"])):
+        done = desk.call(*words)
+        assert done.returncode == 125 and complaint in done.stderr and remedy in done.stderr
+        assert "ROSML_ENGINE=podman" in done.stderr and not desk.called("pull") and not desk.called("run")
 
 
 def test_a_missing_image_is_pulled_first(desk: Desk) -> None:
@@ -240,10 +227,7 @@ def test_podman_takes_a_registry_of_this_machine_without_tls(
         ("jazzy-base", "if it is a target, `rosml image jazzy-base` builds it"),
         ("ros-torch:jazzy", "such as 127.0.0.1:40123/rosml/ros-torch:jazzy"),
         ("ros2", "an image goes before it: rosml run IMAGE ros2"),
-        ("ghcr.io/me/rosml/ros:jazzy-base", "ghcr.io/me is an example"),
-        ("no/such:image", "check its name; if it is private: docker login"),
         ("me/ros:core@sha256:1", "take its tag: me/ros:core"),
-        ("IMAGE", "IMAGE stands for an image"),
         ("./my_package", "it is a path: rosml run -v FOLDER:/mnt IMAGE mounts it"),
     ],
 )
@@ -292,16 +276,10 @@ def test_a_name_that_is_taken(desk: Desk, state: str, name: str, refused: bool, 
     [
         ([], "no container was started in this folder\nremedy: rosml run IMAGE starts one"),
         (["--new"], "--new needs an image"),
-        (["--brand-new", "ubuntu"], "remedy: --brand-new=VALUE"),
-        (["--no-rm=1", "ubuntu"], "'--no-rm' does not take a value"),
-        (["--mws", "ubuntu"], "ubuntu has no workspace"),
         (["<registry>/ros:jazzy-base"], "remedy: write an image that you have"),
-        (["--user", "--home", "ubuntu"], "remedy: leave --user out"),
         (["--user", "me/ros:jazzy-base", "bash"], "remedy: leave --user out"),
         (["--name", "robot"], "to enter a container that is there: rosml attach robot"),
         (["--network", "host"], "'host' is the value of --network"),
-        (["-itv", "host"], "'host' is the value of -itv"),
-        (["-e", "host"], "'host' is the value of -e"),
     ],
 )
 def test_a_call_that_is_wrong(desk: Desk, words: list[str], says: str) -> None:

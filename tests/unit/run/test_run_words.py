@@ -19,7 +19,7 @@ from rosml.run.context import Context, Engine, Image, Person
 from rosml.run.plan import make_plan
 from rosml.run.words import Line, TypedOption, split, table
 
-OWN = ("--no-rm", "--dry-run", "--help")
+ROSML_OPTIONS = ("--no-rm", "--dry-run", "--help")
 NOBODY = Person(1000, 1000, "me", "/home/me")
 
 
@@ -29,23 +29,19 @@ NOBODY = Person(1000, 1000, "me", "/home/me")
         (["--rm"], ["rm"], None),
         (["--rm=false"], ["rm"], "false"),
         (["--env", "A=b c"], ["env"], "A=b c"),
-        (["--env=A=b"], ["env"], "A=b"),
-        (["--env="], ["env"], ""),
         (["--env", "--rm"], ["env"], "--rm"),
         (["-e", ""], ["env"], ""),
         (["-eA=b"], ["env"], "A=b"),
         (["-e=A=b"], ["env"], "A=b"),
         (["-it"], ["interactive", "tty"], None),
         (["-itv", "/a:/b"], ["interactive", "tty", "volume"], "/a:/b"),
-        (["-itv/a:/b"], ["interactive", "tty", "volume"], "/a:/b"),
         (["-t=false"], ["tty"], "false"),
         (["-h", "robot"], ["hostname"], "robot"),
-        (["--net", "host"], ["net"], "host"),
         (["--brand-new=x y"], ["brand-new"], "x y"),
     ],
 )
 def test_an_option_and_its_value(words: list[str], names: list[str], value: str | None) -> None:
-    line = split([*words, "image", "command", "--rm"], OWN)
+    line = split([*words, "image", "command", "--rm"], ROSML_OPTIONS)
     assert line == Line((), (TypedOption(tuple(words), tuple(names), value),), "image", ("command", "--rm"))
 
 
@@ -55,17 +51,16 @@ def test_an_option_and_its_value(words: list[str], names: list[str], value: str 
         (["i", "--", "x", "-"], "i", ["--", "x", "-"]),
         (["--", "i", "--rm"], "i", ["--rm"]),
         (["--rm", "--", "i", "--", "--rm"], "i", ["--", "--rm"]),
-        (["i", "--dry-run", "--help", "", "*", "a\\b"], "i", ["--dry-run", "--help", "", "*", "a\\b"]),
         (["--rm"], "", []),
     ],
 )
 def test_where_the_command_begins(words: list[str], image: str, command: list[str]) -> None:
-    line = split(words, OWN)
+    line = split(words, ROSML_OPTIONS)
     assert (line.image, list(line.command)) == (image, command)
 
 
 def test_its_own_options_are_its_own_before_the_image_alone() -> None:
-    line = split(["--dry-run", "-e", "--no-rm", "--no-rm=1", "image", "--no-rm"], OWN)
+    line = split(["--dry-run", "-e", "--no-rm", "--no-rm=1", "image", "--no-rm"], ROSML_OPTIONS)
     assert (line.rosml, line.command) == (("--dry-run", "--no-rm=1"), ("--no-rm",))
     assert line.value("env") == "--no-rm"
 
@@ -75,19 +70,12 @@ def test_its_own_options_are_its_own_before_the_image_alone() -> None:
     [
         (["--volum", "./a:/a", "image"], "unknown option --volum", "did you mean --volume?"),
         (["--brand-new", "x", "image"], "unknown option --brand-new", "--brand-new=VALUE gives it to docker or podman"),
-        (["--brand-new", "image"], "unknown option --brand-new", "write --brand-new=true"),
         (["--dry-rum", "image"], "unknown option --dry-rum", "did you mean --dry-run?"),
         (["-iZ", "image"], "unknown option -Z in '-iZ'", "--option=VALUE"),
-        (["-t=", "image"], "unknown option -=", "--option=VALUE"),
         (["-e"], "the option -e lacks its value", "after it"),
-        (["-ite"], "the option -e lacks its value", "after it"),
-        (["--env"], "the option --env lacks its value", "after it"),
         (["-", "x"], "'-' is no name of an image", "rosml run IMAGE"),
-        *(([word, "x", "image"], f"unknown option {word}", "DOCKER_CONTEXT") for word in ("--context", "--host", "-H")),
-        *(([word, "x", "image"], f"unknown option {word}", "--dry-run") for word in ("--log-level", "--debug", "-D")),
-        (["--config", "x", "image"], "unknown option --config", "DOCKER_CONFIG"),
-        (["--connection", "x", "image"], "unknown option --connection", "CONTAINER_HOST"),
-        (["--version"], "unknown option --version", "rosml --version"),
+        (["--context", "x", "image"], "unknown option --context", "DOCKER_CONTEXT"),
+        (["-D", "x", "image"], "unknown option -D", "--dry-run"),
         (["-P8080:80", "image"], "unknown option -8 in '-P8080:80'", "did you mean -p 8080:80?"),
         (["--=x", "image"], "unknown option --=x", "a name before ="),
         (["-it"] * 10_001 + ["image"], "10,001 options are more than", "--env-file"),
@@ -98,8 +86,7 @@ def test_its_own_options_are_its_own_before_the_image_alone() -> None:
 )
 def test_what_cannot_be_read_has_a_remedy(words: list[str], says: str, remedy: str) -> None:
     with pytest.raises(RosmlError) as caught:
-        split(words, OWN)
-    assert "--context=" not in caught.value.remedy
+        split(words, ROSML_OPTIONS)
     assert caught.value.exit_code == 2
     assert says in caught.value.message and remedy in caught.value.remedy
 
@@ -108,29 +95,16 @@ HELP = re.compile(r"^\s+(?:-(\w), )?--([a-z0-9-]+)(?: (\S+))?(?: {2,}|$)", re.MU
 """An option in the help of `docker run`: its letter, its name, and the name of its value."""
 
 
-def wrong(text: str) -> list[str]:
-    """The options of an engine's help that the table has in another way."""
-    kinds = {True: table().values, False: table().switches}
-    return [
-        long
-        for letter, long, value in HELP.findall(text)
-        if long != "help"
-        and (long not in kinds[bool(value) and "[=" not in value] or (letter and table().letters.get(letter) != long))
-    ]
-
-
 @pytest.mark.parametrize("engine", ["docker", "podman"])
 def test_the_table_is_that_of_the_engine_on_this_machine(engine: str) -> None:
     assert {"volume", "mount", "env", "name"} <= table().values and {"rm", "tty", "interactive"} <= table().switches
     if shutil.which(engine):
         help_text = subprocess.run([engine, "run", "--help"], capture_output=True, text=True, check=True).stdout
-        assert len(HELP.findall(help_text)) > 50
-        assert wrong(help_text) == []
-
-
-def test_a_table_that_says_something_else_is_found() -> None:
-    help_text = "Options:\n  -d, --detach            Run\n  -e, --env list\n      --new string        What\n  -x, --tty        T\n"
-    assert wrong(help_text + "      --rm string         A switch here\n") == ["new", "tty", "rm"]
+        options = [(letter, name, value) for letter, name, value in HELP.findall(help_text) if name != "help"]
+        assert len(options) > 50
+        for letter, name, value in options:
+            assert name in (table().values if value and "[=" not in value else table().switches)
+            assert not letter or table().letters.get(letter) == name
 
 
 WORD = st.text(st.characters(exclude_characters="\0", exclude_categories=()), max_size=12)
@@ -159,8 +133,8 @@ def option(draw: st.DrawFn) -> list[str]:
     return draw(st.sampled_from(ways))
 
 
-OWN_FLAGS = {"--no-rm", "--no-it", "--no-tz", "--no-user", "--no-name", "--mwd", "--no-gpu", "--verbose"}
-FLAGS = st.sampled_from(sorted(OWN_FLAGS))
+ROSML_FLAGS = {"--no-rm", "--no-it", "--no-tz", "--no-user", "--no-name", "--mwd", "--no-gpu", "--verbose"}
+FLAGS = st.sampled_from(sorted(ROSML_FLAGS))
 
 
 @settings(PROFILE, max_examples=PROFILE.max_examples * 10)
@@ -172,10 +146,10 @@ def test_a_command_is_not_changed(options: list[list[str]], image: str, command:
     context = run.main.make_context("rosml run", [*words, image, *command])
     line: Line = context.meta[LINE]
     argv = make_plan(Context(line, Engine(), NOBODY, Image(environment={"DOCKER_UID": ""}), BARE, trusted=True)).argv
-    theirs = [word for option in options if option[0] not in OWN_FLAGS for word in option]
+    theirs = [word for option in options if option[0] not in ROSML_FLAGS for word in option]
     tail = [*theirs, image, *command]
     assert [*argv[len(argv) - len(tail) :]] == tail
     added = argv[: len(argv) - len(tail)]
-    assert added[:2] == ("docker", "run") and not OWN_FLAGS & set(added)
+    assert added[:2] == ("docker", "run") and not ROSML_FLAGS & set(added)
     makes_user = not line.asks("no-user") and not line.has("user", "entrypoint")
     assert ("DOCKER_UID=1000" in added) == makes_user

@@ -17,7 +17,6 @@ from hypothesis import strategies as st
 from fakes import units
 from fakes.desks import Desk, docker_desk
 from fakes.exports import PODMAN, ROOTLESS, call, text
-from fakes.stubs import HOSTILE
 from rosml.base.errors import RosmlError
 from rosml.cli.run.export import KINDS
 from rosml.run import words
@@ -67,14 +66,11 @@ def test_a_whole_file_for_compose() -> None:
     [
         (["-e", "A=1", "-e", "A=2", "-e", "B"], {"environment": {"A": "2", "B": None}}),
         (["-v", "./bags:/bags:ro", "-v", "/x:/y"], {"volumes": ["./bags:/bags:ro", "/x:/y"]}),
-        (["-v", "/home/jo/robot2:/x", "-v", "/x"], {"volumes": ["/home/jo/robot2:/x", "/x"]}),
         (["--mount", "src=vol,dst=/v,ro"], {"volumes": [{"type": "volume", "source": "vol", "target": "/v", "read_only": True}]}),
         (["--mount", "type=tmpfs,target=/t,tmpfs-mode=1777"], {"volumes": [{"type": "tmpfs", "target": "/t", "tmpfs": {"mode": 0o1777}}]}),
         (["--network", "host", "--net=none"], {"network_mode": "none"}),
-        (["--network=robots"], {"networks": {"robots": {}}}),
         (["-w", "/a", "--workdir=/b", "-u0"], {"working_dir": "/b", "user": "0"}),
         (["--device", "nvidia.com/gpu=all", "--device=/dev/video0"], {"devices": ["nvidia.com/gpu=all", "/dev/video0"]}),
-        (["--group-add", "44", "--group-add", "44"], {"group_add": ["44"]}),
         (["--shm-size=8g", "--ipc", "host", "--memory=1g"], {"shm_size": "8g", "ipc": "host", "mem_limit": "1g"}),
         (["--ulimit", "rtprio=99", "--ulimit=memlock=-1:-1"], {"ulimits": {"rtprio": 99, "memlock": {"soft": -1, "hard": -1}}}),
         (["--privileged", "--init=false", "-it"], {"privileged": True, "init": False, "stdin_open": True, "tty": True}),
@@ -92,15 +88,14 @@ def test_an_option_as_compose_has_it(typed: list[str], expected: dict[str, Any])
 @pytest.mark.parametrize(
     ("typed", "expected"),
     [
-        ("all", {"count": "all"}),
-        ("2", {"count": 2}),
-        ('"device=0,1"', {"device_ids": ["0", "1"]}),
+        ("2", {"count": 2, "capabilities": ["gpu"]}),
+        ('"device=0,1"', {"device_ids": ["0", "1"], "capabilities": ["gpu"]}),
         ('all,"capabilities=utility,compute"', {"count": "all", "capabilities": ["gpu", "utility", "compute"]}),
     ],
 )
 def test_gpus_of_compose(typed: str, expected: dict[str, Any]) -> None:
     (device,) = service("--gpus", typed, "x")["deploy"]["resources"]["reservations"]["devices"]
-    assert device == {"driver": "nvidia", "capabilities": ["gpu"], **expected}
+    assert device == {"driver": "nvidia", **expected}
 
 
 def test_podmans_entry_has_no_word_in_compose() -> None:
@@ -146,11 +141,9 @@ def test_no_option_gets_lost(name: str) -> None:
         (["-e", "=1"], "--env '=1' has no name"),
         (["-l", ""], "--label '' has no name"),
         (["--brand-new=5"], "--brand-new has no counterpart"),
-        (["-P"], "--publish-all has no counterpart"),
         (["--pull=newer"], "--pull=newer has no counterpart"),
         (["--network", "name=x,alias=y"], "--network name=x"),
         (["--mount", "type=bind,source=/a,target=/b,bind-nonrecursive"], "bind-nonrecursive of --mount"),
-        (["--gpus", "all,options=x"], "options of --gpus"),
         (["--mount", '"type=bind'], "quotes do not close"),
         (["--ssh-agent"], "--ssh-agent does not go with --export"),
         (["-e", os.fsdecode(b"\xff")], "is no text"),
@@ -160,11 +153,6 @@ def test_options_that_compose_refuses(typed: list[str], says: str) -> None:
     with pytest.raises(RosmlError) as caught:
         compose.text(call(*typed, "x"))
     assert says in caught.value.message and caught.value.remedy and caught.value.exit_code == 2
-
-
-def test_what_another_reader_of_yaml_takes_for_a_number_has_quotes() -> None:
-    lines = compose.text(call("x", "1e3", "0o7", "no", "~", "0x1", ".5", "1:30", "-1")).splitlines()
-    assert [line for line in lines if line.startswith("    - ") and line[6] not in "\"'"] == []
 
 
 def test_a_whole_file_for_editors() -> None:
@@ -236,14 +224,6 @@ def test_who_runs_in_an_editor(facts: dict[str, Any], typed: list[str], user: st
     assert written.get("securityOpt") == locked and "DOCKER_UID" not in written.get("containerEnv", {})
 
 
-@pytest.mark.parametrize(
-    ("line", "says"), [(["x", "colcon"], "such as colcon"), (["--entrypoint", "sh", "x"], "has its")]
-)
-def test_an_editor_has_its_own_command_and_entrypoint(line: list[str], says: str) -> None:
-    with pytest.raises(RosmlError, match=says):
-        container(*line)
-
-
 def test_paths_of_this_machine_work_from_anywhere() -> None:
     files = container("--env-file", "../a", "--env-file=./b", "--label-file=/c", "x")["runArgs"]
     assert files[-3:] == ["--env-file=/home/jo/a", "--env-file=${localWorkspaceFolder}/b", "--label-file=/c"]
@@ -261,13 +241,7 @@ def test_windows_are_those_of_whoever_starts_it(tmp_path: Path) -> None:
     assert written["environment"].items() >= {"DISPLAY": None, "QT_X11_NO_MITSHM": "1"}.items()
     assert written["volumes"] == ["/tmp/.X11-unix:/tmp/.X11-unix"]
     assert container("x", host=host)["containerEnv"]["DISPLAY"] == "${localEnv:DISPLAY}"
-    for typed, display in (
-        (["--no-x11"], ":1"),
-        ([], ""),
-        ([], "localhost:10.0"),
-        ([], ":2"),
-        (["-e", "DISPLAY=:7"], ":1"),
-    ):
+    for typed, display in ((["--no-x11"], ":1"), ([], "localhost:10.0"), ([], ":2"), (["-e", "DISPLAY=:7"], ":1")):
         written = service(*typed, "x", host=replace(host, environment={"DISPLAY": display}))
         assert "volumes" not in written and written["environment"].get("DISPLAY") in (None, ":7")
         assert "network_mode" not in written
@@ -326,12 +300,10 @@ def test_a_file_has_the_options_of_a_dry_run(desk: Desk) -> None:
         (["--export"], "the option --export lacks its value"),
         (["--export", "helm", "ours"], "'helm' is not one of 'devcontainer', 'compose', 'quadlet', 'kubernetes'"),
         (["--add", "compose.yaml", "ours"], "--add goes with --export compose"),
-        (["--export", "quadlet", "--add", "compose.yaml", "ours"], "--add goes with --export compose"),
         (["--export", "compose", "--add", "compose.yaml", "ours"], "there is no such file"),
         (["--export", "compose", "--add", "", "ours"], "it is no file"),
         (["--export", "compose", "--check", "ours"], "--export does not go with --check"),
         (["--export", "compose", "no/such:image"], "no image no/such:image here"),
-        (["--export", "kubernetes", "-v", "data:/d", "ours"], "-v data:/d has no counterpart"),
     ],
 )
 def test_a_wrong_export(desk: Desk, line: list[str], says: str) -> None:
@@ -384,12 +356,6 @@ def check_texts(kind: str, command: list[str], value: str) -> None:
     assert READERS[kind](document) == [*command, *[value] * (1 + len(label) // 2)]
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("hostile", HOSTILE)
-def test_texts_that_mean_something_in_a_file_are_only_texts(hostile: str, kind: str) -> None:
-    check_texts(kind, [hostile], hostile)
-
-
 TEXT = st.text(st.characters(exclude_categories=["Cs"], exclude_characters="\0"))
 HARD = st.text(
     st.sampled_from("$%\\\"'; \n\t\r{}()hn0xa:,=#[]é\x7f\x01\x80\x85\xa0\u2028\ufeff\ufffe~`@!+-"), max_size=8
@@ -400,7 +366,8 @@ HARD = st.text(
 @settings(max_examples=200, deadline=None)
 @given(st.lists(HARD | TEXT, max_size=5), HARD | TEXT)
 @example(["y", "on", "0x1", "1e3", "1:30", "$(HOME)", "~", "null", "- a", "#", "$$"], "a: ${b}\n$$(X)")
-@example(["%h%%", "a;", "-x", "\\", "'", '"', "${X}"], "a\n[Service]\nExecStart=/bin/sh %n \\")
+@example(["%h%%", "a;", "-x", "\\", "'", '"', "${X}", "$$(X)", "`id`"], "a\n[Service]\nExecStart=/bin/sh %n \\")
+@example(["a"], "${localEnv:TOKEN}")
 def test_any_text_is_the_same_in_the_file(kind: str, command: list[str], value: str) -> None:
     check_texts(kind, command, value)
 

@@ -57,33 +57,24 @@ def test_a_whole_file() -> None:
     ]
     name = {"app.kubernetes.io/name": "robot"}
     ids = {"DOCKER_UID": "1234", "DOCKER_GID": "5678", "DOCKER_USER": "jo", "TZ": "Europe/Berlin"}
-    assert file(*line, labels=CUDA, digests=(f"ghcr.io/me/ros@{DIGEST}",), environment={"DOCKER_UID": ""}) == {
-        "apiVersion": "apps/v1",
-        "kind": "Deployment",
-        "metadata": {"name": "robot", "labels": name},
-        "spec": {
-            "strategy": {"type": "Recreate"},
-            "selector": {"matchLabels": name},
-            "template": {
-                "metadata": {"labels": name},
-                "spec": {
-                    "hostNetwork": True,
-                    "hostIPC": True,
-                    "dnsPolicy": "ClusterFirstWithHostNet",
-                    "containers": [
-                        {
-                            "name": "robot",
-                            "image": f"ghcr.io/me/ros:jazzy@{DIGEST}",
-                            "args": ["ros2", "x"],
-                            "env": [{"name": key, "value": value} for key, value in ids.items()],
-                            "resources": {"limits": {"nvidia.com/gpu": "1", "cpu": "1.5", "memory": "512Mi"}},
-                            "volumeMounts": [{"name": "volume-0", "mountPath": "/bags", "readOnly": True}],
-                        }
-                    ],
-                    "volumes": [{"name": "volume-0", "hostPath": {"path": "/home/jo/robot/bags"}}],
-                },
-            },
-        },
+    document = file(*line, labels=CUDA, digests=(f"ghcr.io/me/ros@{DIGEST}",), environment={"DOCKER_UID": ""})
+    assert (document["kind"], document["metadata"]) == ("Deployment", {"name": "robot", "labels": name})
+    assert document["spec"]["strategy"] == {"type": "Recreate"}
+    template = document["spec"]["template"]
+    assert document["spec"]["selector"]["matchLabels"] == template["metadata"]["labels"] == name
+    (only,) = template["spec"].pop("containers")
+    assert only == {
+        "name": "robot",
+        "image": f"ghcr.io/me/ros:jazzy@{DIGEST}",
+        "args": ["ros2", "x"],
+        "env": [{"name": key, "value": value} for key, value in ids.items()],
+        "resources": {"limits": {"nvidia.com/gpu": "1", "cpu": "1.5", "memory": "512Mi"}},
+        "volumeMounts": [{"name": "volume-0", "mountPath": "/bags", "readOnly": True}],
+    }
+    network = {"hostNetwork": True, "hostIPC": True, "dnsPolicy": "ClusterFirstWithHostNet"}
+    assert template["spec"] == {
+        **network,
+        "volumes": [{"name": "volume-0", "hostPath": {"path": "/home/jo/robot/bags"}}],
     }
 
 
@@ -100,8 +91,6 @@ def test_a_whole_file() -> None:
         (["-p", "127.0.0.1:80:8080/udp"], {"ports": [{"containerPort": 8080, "hostPort": 80, "hostIP": "127.0.0.1", "protocol": "UDP"}]}),
         (["-w", "/a b"], {"workingDir": "/a b"}),
         (["--pull", "missing"], {"imagePullPolicy": "IfNotPresent"}),
-        (["--entrypoint", "sh"], {"command": ["sh"]}),
-        (["-e", "A=1", "-e", "A=2"], {"env": [{"name": "A", "value": "2"}]}),
         (["-it", "--init=false", "--restart=always", "--network=bridge", "--ipc=private"], {}),
     ],
 )  # fmt: skip
@@ -113,7 +102,6 @@ def test_an_option_of_the_container(typed: list[str], expected: dict[str, Any]) 
 @pytest.mark.parametrize(
     ("typed", "expected"),
     [
-        (["--network", "host"], {"hostNetwork": True, "dnsPolicy": "ClusterFirstWithHostNet"}),
         (["--pid", "host"], {"hostPID": True}),
         (["--group-add", "44", "--group-add", "20"], {"securityContext": {"supplementalGroups": [44, 20]}}),
         (["--sysctl", "net.core.somaxconn=9"], {"securityContext": {"sysctls": [{"name": "net.core.somaxconn", "value": "9"}]}}),
@@ -121,10 +109,7 @@ def test_an_option_of_the_container(typed: list[str], expected: dict[str, Any]) 
         (["--tmpfs", "/t"], {"volumes": [{"name": "volume-0", "emptyDir": {"medium": "Memory"}}]}),
         (["--mount", "type=bind,src=./a,dst=/b"], {"volumes": [{"name": "volume-0", "hostPath": {"path": "/home/jo/robot/a"}}]}),
         (["--add-host", "arm:10.0.0.1"], {"hostAliases": [{"ip": "10.0.0.1", "hostnames": ["arm"]}]}),
-        (["--hostname", "arm"], {"hostname": "arm"}),
         (["--platform", "linux/arm64"], {"nodeSelector": {"kubernetes.io/arch": "arm64"}}),
-        (["--runtime", "nvidia"], {"runtimeClassName": "nvidia"}),
-        (["--stop-timeout", "30"], {"terminationGracePeriodSeconds": 30}),
     ],
 )  # fmt: skip
 def test_an_option_of_the_pod(typed: list[str], expected: dict[str, Any]) -> None:
@@ -211,10 +196,8 @@ def test_the_probe_is_the_images(health: Health, typed: list[str], expected: dic
     ("image", "digests", "expected"),
     [
         ("ros:jazzy", (f"ros@{DIGEST}",), f"ros:jazzy@{DIGEST}"),
-        ("ros:jazzy", (f"docker.io/library/ros@{DIGEST}",), f"ros:jazzy@{DIGEST}"),
         ("ros:jazzy", (f"evil/ros@{DIGEST}",), "ros:jazzy"),
         (f"ros@{OTHER}", (f"ros@{DIGEST}",), f"ros@{OTHER}"),
-        ("ros", (f"ros@{OTHER}", f"ros@{DIGEST}"), f"ros@{DIGEST}"),
         ("ros", (), "ros"),
     ],
 )

@@ -47,64 +47,19 @@ def test_the_file_that_the_page_shows() -> None:
     assert next(block.text for block in shown if block.title == "robot.container") == unit(*command[4:])
 
 
-def test_a_whole_file() -> None:
-    assert (
-        unit("--mws", "-v", "./bags:/bags", "--gpus", "all", "me/ros:jazzy", "ros2", "launch", "a b", "$X")
-        == """\
-# robot at boot, by podman 4.9 or newer. Written by rosml run --export quadlet.
-#   mkdir -p ~/.config/containers/systemd, and put this file there as robot.container
-#   systemctl --user daemon-reload && systemctl --user start robot
-#   loginctl enable-linger, so that it starts at boot and not when you log in
-
-[Unit]
-Description=robot
-
-[Container]
-Image=docker.io/me/ros:jazzy
-Label="io.rosml.run.folder=/home/jo/robot"
-UserNS=keep-id
-User=0
-Group=0
-PodmanArgs=--passwd=false
-Environment="DOCKER_UID=1234"
-Environment="DOCKER_GID=5678"
-Environment="DOCKER_USER=jo"
-Environment="TZ=Europe/Berlin"
-PodmanArgs=--mount=type=bind,source=/home/jo/robot,target=/docker-ros/ws/src/target
-Volume=/home/jo/robot/bags:/bags
-AddDevice=nvidia.com/gpu=all
-Exec=ros2 launch "a b" "$$X"
-
-[Service]
-Restart=always
-RestartSec=5
-TimeoutStartSec=900
-
-[Install]
-WantedBy=default.target
-"""
-    )
-
-
 def test_a_unit_of_the_system() -> None:
     document = unit("x", person=replace(ME, uid=0, gid=0, name="root"))
-    assert (
-        "/etc/containers/systemd" in document and "sudo systemctl start robot" in document and "linger" not in document
-    )
-    assert keys("x", person=replace(ME, uid=0))["WantedBy"] == "multi-user.target"
-    assert keys("x", person=replace(ME, uid=0))["After"] == "network-online.target"
+    assert "sudo systemctl start robot" in document and "linger" not in document
+    assert "WantedBy=multi-user.target" in document and "After=network-online.target" in document
 
 
 @pytest.mark.parametrize(
     ("typed", "expected"),
     [
         (["-e", "A=1", "-e", "A=2"], ["--env=A=2"]),
-        (["-e", "A", "-e", "A=1"], ["--env=A=1"]),
-        (["-e", "A=1", "-e", "A"], ["--env=A"]),
         (["-l", "a", "--annotation", "b=c d"], ["--label=a=", "--annotation=b=c d"]),
         (["-v", "/a:/b:ro", "-v", "data:/d", "-v", "./x y:/z"], ["--volume=/a:/b:ro", "--volume=data:/d", "--volume=/home/jo/robot/x y:/z"]),
         (["-u", "1", "--user=2:3"], ["--user=2:3"]),
-        (["--user", "jo"], ["--user=jo"]),
         (["-w", "/a b", "-w", "/c"], ["--workdir=/c"]),
         (["--device", "/dev/video0", "--device=/dev/a b"], ["--device=/dev/video0", "--device=/dev/a b"]),
         (["-p", "80:80", "-p", "[::1]:1:1"], ["--publish=80:80", "--publish=[::1]:1:1"]),
@@ -114,8 +69,6 @@ def test_a_unit_of_the_system() -> None:
         (["--env-file", "../e"], ["--env-file=/home/jo/e"]),
         (["--gpus", '"device=0,GPU-1"'], ["--device=nvidia.com/gpu=0", "--device=nvidia.com/gpu=GPU-1"]),
         (["--gpus", "2"], ["--device=nvidia.com/gpu=0", "--device=nvidia.com/gpu=1"]),
-        (["--dns-option", "a"], ["--dns-option=a"]),
-        (["--entrypoint", ""], ["--entrypoint="]),
         (["--init=false", "--read-only"], ["--init=false", "--read-only"]),
         (["-v", ":/b"], ["--volume=:/b"]),
         (["-it", "--rm", "-d", "--restart", "no"], []),
@@ -180,12 +133,10 @@ def test_no_option_gets_lost(name: str) -> None:
         (["--restart=on-failure:3", "x"], "--restart on-failure:3 does not go with"),
         (["--gpus=device=0,1", "x"], "says both how many and which"),
         *(([f"--gpus={count}", "x"], "asks for no GPU") for count in ("0", "99999")),
-        (["--gpus=all,capabilities=utility", "x"], "whole GPUs"),
         (["--gpus=device=a b", "x"], "is no id of a GPU"),
         (["-e", "A\nExec b", "x"], "is no name of a variable"),
         *(([option, "x"], f"{option} does not go with --export quadlet") for option in ("--sound", "--ssh-agent")),
         (["sha256:" + "b" * 64], "is an id of docker's"),
-        (["dir:/a b", "ls"], "is no name of an image in a unit"),
         *((["x", "find", word], f"the word '{word}' does not go with") for word in ("", ";")),
         (["x", "a\x80"], "U+0080"),
     ],
@@ -200,19 +151,7 @@ def test_a_unit_that_is_refused(line: list[str], says: str) -> None:
 def test_podmans_own_generator_takes_it(tmp_path: Path) -> None:
     (tmp_path / "in").mkdir()
     (tmp_path / "out").mkdir()
-    line = [
-        "--mws",
-        "-v",
-        "./a b:/b",
-        "--gpus=2",
-        "-e",
-        "A=%h $X\n",
-        "--ulimit",
-        "rtprio=99",
-        "--cap-add=SYS_NICE",
-        "x",
-        "a b",
-    ]
+    line = ["--mws", "-v./a b:/b", "--gpus=2", "-eA=%h $X\n", "--ulimit=rtprio=99", "--cap-add=SYS_NICE", "x", "a b"]
     (tmp_path / "in/robot.container").write_text(unit(*line))
     environment = {**os.environ, "QUADLET_UNIT_DIRS": str(tmp_path / "in")}
     done = subprocess.run([str(GENERATOR), "-user", "-no-kmsg-log", str(tmp_path / "out")], env=environment, check=True, capture_output=True, text=True)  # fmt: skip

@@ -10,7 +10,7 @@ import pytest
 from conftest import ROOT
 
 from fakes.desks import BARE, LOCKED, OTHER, OURS
-from fakes.exports import OWN
+from fakes.exports import ROSML_OPTIONS
 from rosml.base.errors import RosmlError
 from rosml.run import host
 from rosml.run.context import Context, Engine, Image, Person
@@ -40,7 +40,7 @@ def added(
 ) -> list[str]:
     """The options of rosml for somebody who is not root, and who trusts the image, without the label."""
     variables = dict(entry.partition("=")[::2] for entry in image)
-    line = split([*words, "reg.test/me/ros:jazzy"], OWN)
+    line = split([*words, "reg.test/me/ros:jazzy"], ROSML_OPTIONS)
     context = Context(line, engine, caller, Image(environment=variables, **facts), BARE, trusted)
     argv = [*make_plan(context).argv]
     assert argv[:2] == [engine.program, "run"]
@@ -86,23 +86,12 @@ def test_an_image_that_starts_as_another_user_is_started_as_root(engine: Engine,
         assert user_options(engine=engine, user="vendor", trusted=False) == [*IDS, *LOCKED]
 
 
-@pytest.mark.parametrize("engine", [DOCKER, PODMAN])
-def test_an_image_does_not_vouch_for_itself(engine: Engine) -> None:
+def test_an_image_does_not_vouch_for_itself() -> None:
     """Whoever builds an image may write DOCKER_UID into it. Without the user's trust it runs as any other image."""
-    assert user_options(engine=engine, trusted=False) == user_options(engine=engine, image=OTHER)
-
-
-@pytest.mark.parametrize(
-    ("words", "facts"),
-    [
-        ([], {"engine": ROOTLESS_DOCKER}),
-        ([], {"engine": ROOTLESS_PODMAN}),
-        ([], {"caller": ROOT_USER}),
-        *((words, {}) for words in (["--user", "7"], ["--no-user"], ["--entrypoint", "bash"])),
-    ],
-)
-def test_where_trust_changes_nothing(words: list[str], facts: dict[str, Any]) -> None:
-    assert user_options(*words, trusted=False, **facts) == user_options(*words, trusted=True, **facts)
+    for engine in (DOCKER, PODMAN):
+        assert user_options(engine=engine, trusted=False) == user_options(engine=engine, image=OTHER)
+    for engine in (ROOTLESS_DOCKER, ROOTLESS_PODMAN):  # root there is no other user
+        assert user_options(engine=engine, trusted=False) == user_options(engine=engine)
 
 
 @pytest.mark.parametrize(
@@ -116,7 +105,6 @@ def test_the_user_chooses_new_privileges(value: str, locked: list[str]) -> None:
     ("words", "expected"),
     [
         (["--user", "7"], []),
-        (["-u7"], []),
         (["--entrypoint", "bash"], [*IDS, *LOCKED]),  # nothing reads DOCKER_UID then
         (["--userns=host"], CONTRACT),
         (["-e", "DOCKER_UID=7"], CONTRACT),  # theirs comes later, and counts
@@ -142,15 +130,10 @@ def test_the_mounted_folder_is_no_home(option: str) -> None:
         assert passwd_options(option, image=ours, engine=engine) == []
 
 
-@pytest.mark.parametrize("words", [["--user", "7"], ["--no-user"], ["--userns=keep-id"]])
-def test_a_chosen_user_has_no_home_in_the_mounted_folder(words: list[str]) -> None:
-    assert passwd_options("--mwd", *words) == ["--passwd=false"]
-    assert passwd_options(*words) == passwd_options("--mwd", *words, engine=DOCKER) == []
-
-
-@pytest.mark.parametrize("option", ["--passwd", "--passwd-entry=x", "--group-entry=x", "--hostuser=jo"])
-def test_the_user_chooses_podmans_entry(option: str) -> None:
-    assert passwd_options("--mwd", option) == passwd_options("--mwd", option, image=OTHER) == []
+@pytest.mark.parametrize("option", ["--user=7", "--no-user", "--userns=keep-id"])
+def test_a_chosen_user_has_no_home_in_the_mounted_folder(option: str) -> None:
+    assert passwd_options("--mwd", option) == ["--passwd=false"]
+    assert passwd_options(option) == passwd_options("--mwd", option, "--hostuser=jo") == []
 
 
 def test_users_without_a_name_and_root() -> None:
@@ -210,7 +193,6 @@ def test_what_goes_with_no_removal(words: list[str]) -> None:
     [
         ("/home/jo/robot", "ros", "robot"),
         ("/home/jo/my robot (2)", "ros", "my-robot-2"),
-        ("/home/jo/.config", "ros", "config"),
         ("/", "reg.test:5000/me/ros:jazzy", "ros-jazzy"),
         ("/x", "ros@sha256:" + "0" * 64, "ros"),
         ("/机器人", "ubuntu", "ubuntu"),
@@ -219,7 +201,9 @@ def test_what_goes_with_no_removal(words: list[str]) -> None:
 )
 def test_the_containers_name(folder: str, image: str, name: str) -> None:
     def name_of(*words: str, terminal: bool = True) -> str:
-        return basic_options.name_of(split([*words, image], OWN), Person(0, 0, "root", folder, terminal=terminal))
+        return basic_options.name_of(
+            split([*words, image], ROSML_OPTIONS), Person(0, 0, "root", folder, terminal=terminal)
+        )
 
     assert (name_of(), name_of("--name", "mine")) == (name, "mine")
     assert name_of("--no-name") == name_of("--new") == name_of(terminal=False) == ""
@@ -255,12 +239,10 @@ def test_the_current_folder_is_mounted() -> None:
         ("-v .:/ws", "-v /home/jo:/ws"),
         ("-v ..:/ws:ro", "-v /home:/ws:ro"),
         ("-v a/b:/ws", "-v /home/jo/a/b:/ws"),
-        ("-v ./a/../b:/ws", "-v /home/jo/b:/ws"),
         *((typed, typed) for typed in ("-v /a/../b:/ws", "-v name:/ws", "-v /ws", "-v ./ws")),
         ("-itv./a:/b", "-itv/home/jo/a:/b"),
         ("--volume=~/a:/b", "--volume=/home/other/a:/b"),
         ("--mount type=bind,source=a,target=/b", "--mount type=bind,source=/home/jo/a,target=/b"),
-        ("--mount=type=bind,src=./a,dst=./b", "--mount=type=bind,src=/home/jo/a,dst=./b"),
         *((f"--mount {value}", f"--mount {value}") for value in ("type=bind,src=/a", "type=volume,src=a", "src=a")),
         *((typed, typed) for typed in ('--mount "type=bind', "--env-file ./a", "-e A=./a:/b", "--workdir ./a:/b")),
     ],
