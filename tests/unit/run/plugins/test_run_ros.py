@@ -72,9 +72,7 @@ def test_the_default_rmw_of_an_image(robot: Robot) -> None:
     ("hosts", "environment", "words", "added"),
     [
         (LOCAL_HOSTS, NOETIC, ["--ros-network"], True),
-        (LOCAL_HOSTS, NOETIC, ["--network=host"], True),
         (LOCAL_HOSTS + b"127.0.1.1\trobot\n", NOETIC, ["--ros-network"], False),
-        (b"", NOETIC, ["--ros-network"], False),
         (LOCAL_HOSTS, NOETIC, [], False),
         (LOCAL_HOSTS, NOETIC, ["--ros-network", "--no-ros"], False),
         (LOCAL_HOSTS, NOETIC, ["--ros-network", "--add-host=robot:10.0.0.1"], False),
@@ -105,7 +103,6 @@ MASTER = "ROS_MASTER_URI=http://base:11311"
         (NOETIC, [], None, [MASTER]),
         (NOETIC, ["--ros-network"], None, [MASTER, "ROS_IP=10.0.0.5"]),
         (NOETIC, ["--network=host", "--ipc=host"], Engine(machine="server"), [MASTER]),
-        ({"ROS_DISTRO": "x", "ROS_VERSION": "1"}, [], None, [MASTER]),
         (JAZZY, ["--no-ros"], None, []),
         ({}, ["--ros-network"], None, []),
     ],
@@ -126,7 +123,6 @@ def test_settings_of_this_machines_ros(
     [
         ([], SHARED),
         (["--network", "host"], ["--ipc", "host"]),
-        (["--net=host", "--ipc=host"], []),
         (["--ipc", "container:x"], ["--network", "host"]),
     ],
 )
@@ -143,7 +139,6 @@ def test_a_network_for_ros(robot: Robot, words: list[str], expected: list[str]) 
     ("words", "engine", "says", "remedy"),
     [
         (["-p", "80:80"], Engine(), "which does not go with -p", "leave out one of them"),
-        (["--network=robots"], Engine(), "which does not go with --network=robots", "leave out one of them"),
         ([], Engine(rootless=True), "docker without root does not reach", "--network host --ipc host reaches"),
     ],
 )
@@ -160,7 +155,6 @@ def test_a_network_that_a_container_cannot_have(
     [
         (["--network", "host"], JAZZY, "--ipc host; or"),
         (["--net=container:x"], JAZZY, "--ipc container:x; or"),
-        (["--network", "host", "-e", "RMW_IMPLEMENTATION=rmw_fastrtps_dynamic_cpp"], JAZZY, "--ipc host; or"),
         *((["--network", "host", option, value], JAZZY, "") for option, value in [
             ("--ipc", "host"), ("-v", "/dev/shm:/dev/shm"), ("-e", "FASTDDS_BUILTIN_TRANSPORTS=UDPv4"),
             ("-e", "FASTRTPS_DEFAULT_PROFILES_FILE=/x.xml"),
@@ -202,7 +196,6 @@ NINES = "9" * 400
     [
         ([], "network", "problem: bridge: containers on it", "--ros-network"),
         (["--network", "robots"], "network", "advice: robots: containers on it", "--ros-network"),
-        (["-e", "ROS_STATIC_PEERS=172.17.0.1"], "network", "advice: bridge: containers on it see", "--ros-network"),
         (["--network=none"], "network", "problem: none", "leave out --network none"),
         (["--network", "host"], "shared memory", "problem: its own, with --network host", "--ipc host"),
         *((["-e", f"ROS_DOMAIN_ID={n}"], "domain", f"problem: {n}, and 3 in this shell", "-e ROS_DOMAIN_ID=3, or export") for n in (7, 232)),
@@ -213,13 +206,10 @@ NINES = "9" * 400
         (CYCLONE, "RMW", "problem: rmw_cyclonedds_cpp, and rmw_fastrtps_cpp in this shell", "-e RMW_IMPLEMENTATION=rmw_fastrtps_cpp, or"),
         (["-e", "ROS_LOCALHOST_ONLY=1"], "discovery range", "problem: LOCALHOST, which is", "--ros-network, or -e ROS_LOC"),
         (["--ros-network", "-e", "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF"], "discovery range", "problem: OFF", "-e ROS_AUTOMATIC"),
-        (["-e", "ROS_AUTOMATIC_DISCOVERY_RANGE=lan"], "discovery range", "problem: 'lan' is none", "ROS_AUTOMATIC"),
         (["--ros-network", "-e", "ROS_LOCALHOST_ONLY=1", *CYCLONE], "discovery range", "advice: ROS_LOCALHOST_ONLY, and Cyclone", "sudo ip link"),
         ([], "/dev/shm", "advice: 64 MiB", "--shm-size 1g"),
         (["--shm-size=1t"], "/dev/shm", f"good: {1 << 20} MiB", ""),
-        (["--shm-size=32m"], "/dev/shm", "advice: 32 MiB", "--shm-size 1g"),
         ([f"--shm-size={NINES}"], "/dev/shm", f"problem: '{'9' * 20}'… is no size", "--shm-size 1g"),
-        (["--shm-size=large"], "/dev/shm", "problem: 'large' is no size", "--shm-size 1g"),
         (["--ros-network", "--no-user"], "user", "problem: 0, and 1000 here", "--user 1000"),
         (["--ros-network", *ZENOH], "router", "problem: none answers on port 7447", "ros2 run rmw_zenoh_cpp rmw_zenohd"),
         (ZENOH, "router", "problem: nodes look for it on localhost", "--ros-network"),
@@ -238,18 +228,15 @@ def test_what_keeps_nodes_apart(robot: Robot, words: list[str], subject: str, fa
     ("words", "engine", "subject"),
     [
         (["--no-ros", "-e", "ROS_DOMAIN_ID"], Engine(), "domain"),
-        (["--no-ros", "-e", "ROS_DOMAIN_ID=3", "--env-file", "/vars"], Engine(), "domain"),
         (["-e", "ROS_DOMAIN_ID=7"], Engine(machine="server"), "domain"),
         (["--ros-network", *ZENOH], Engine(machine="server"), "router"),
         ([*ZENOH, "-e", "ZENOH_CONFIG_OVERRIDE=x"], Engine(), "router"),
         (ZENOH, Engine(), "network"),
-        (["--ros-network", "--user=robot"], Engine(), "network"),
     ],
 )
 def test_what_is_not_in_the_way(robot: Robot, words: list[str], engine: Engine, subject: str) -> None:
-    """A shell's value, a value that wins over that of a file, values of this machine if containers run elsewhere."""
+    """A shell's value, and values of this machine if containers run elsewhere."""
     robot.environment = {"ROS_DOMAIN_ID": "3"}
-    robot.file("/vars", b"ROS_DOMAIN_ID=9\n")
     assert robot.check(*words, engine=engine)[subject].state == "good"
 
 
@@ -267,9 +254,8 @@ def test_multicast(robot: Robot) -> None:
     assert down.state == "problem" and "no network interface" in down.fact and "ROS_STATIC_PEERS" in down.remedy
 
 
-def test_an_rmw_and_a_range_that_an_image_lacks(robot: Robot) -> None:
-    robot.environment = {"RMW_IMPLEMENTATION": "rmw_cyclonedds_cpp", "ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF"}
-    assert robot.check(installed=("rmw_fastrtps_cpp",))["RMW"].remedy == "export RMW_IMPLEMENTATION=rmw_fastrtps_cpp"
+def test_a_range_that_an_image_lacks(robot: Robot) -> None:
+    robot.environment = {"ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF"}
     for distribution, state in (("humble", "good"), ("jazzy", "problem")):
         findings = robot.check("--ros-network", environment={"ROS_DISTRO": distribution})
         assert findings["discovery range"].state == state
@@ -337,24 +323,13 @@ MOUNTED = Container("arm", "running", "", "", "1", JAZZY, network="host", ipc="p
         (WHOLE, arm(), "", ""),
         ([], arm(), "its network is host", "--ros-network for both"),
         (WHOLE, arm(ROS_DOMAIN_ID="7"), "its domain is 7", "-e ROS_DOMAIN_ID=7"),
-        (
-            WHOLE,
-            arm(RMW_IMPLEMENTATION="rmw_x"),
-            "its RMW is rmw_x",
-            "-e RMW_IMPLEMENTATION=rmw_x, if the image has it",
-        ),
+        (WHOLE, arm(RMW_IMPLEMENTATION="rmw_x"), "its RMW is rmw_x", "-e RMW_IMPLEMENTATION=rmw_x, if"),
         (WHOLE, arm(user=""), "its user is 0", "--user 0"),
         (["--network=host"], arm(), "it does not have the same shared memory", "--ros-network; or"),
         (WHOLE, arm(ipc="private"), "it does not have the same shared memory", "start it with --ros-network; or"),
         (["--network=container:arm", "--ipc=container:arm"], arm(), "", ""),
         ([], arm(network="default", ipc="private"), "", ""),
-        (
-            [],
-            arm(network="robots", ipc="private"),
-            "its network is robots",
-            "--network robots, or --ros-network for both",
-        ),
-        (WHOLE, arm(user="robot"), "", ""),
+        ([], arm(network="robots", ipc="private"), "its network is robots", "--network robots, or --ros-network"),
         (["--ros-network", "--user=1"], MOUNTED, "", ""),
         ([*ZENOH, "-e", "ZENOH_CONFIG_OVERRIDE=x"], arm(RMW_IMPLEMENTATION="rmw_zenoh_cpp"), "", ""),
         (WHOLE, arm(ROS_DISTRO="noetic"), "it has ROS 1", "only a bridge"),
@@ -375,14 +350,6 @@ def test_containers_of_podman_without_root(robot: Robot) -> None:
     assert (apart.state, apart.fact) == ("problem", "its network is private")
     assert robot.check("--ros-network", others=(arm(user="0"),), engine=PODMAN)["container arm"].state == "good"
     assert "user" not in robot.check("--ros-network", "--no-user", engine=PODMAN)
-
-
-def test_a_shell_without_the_same_ros_has_no_say(robot: Robot) -> None:
-    (robot.root / "opt/ros/jazzy/setup.bash").unlink()
-    (robot.root / "opt/ros/jazzy").rmdir()
-    for environment in ({}, {"ROS_DISTRO": "noetic"}):
-        robot.environment = environment
-        assert robot.check("--ros-network", "-e", "ROS_DOMAIN_ID=7")["domain"].state == "good"
 
 
 @pytest.fixture
@@ -425,8 +392,6 @@ def test_the_command_as_json(desk: Desk) -> None:
     [
         (["ubuntu"], "--check is about ROS, and ubuntu has none: ROS_DISTRO"),
         ([], "--check needs an image, and none is named"),
-        (["missing"], "no image missing here"),
-        (["--ros-network", "-p", "1:1", "ros"], "--ros-network: it needs --network host"),
     ],
 )
 def test_what_cannot_be_checked(desk: Desk, words: list[str], says: str) -> None:
