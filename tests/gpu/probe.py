@@ -44,8 +44,8 @@ def torch_probes() -> Iterator[tuple[str, Probe]]:
 
     def convolution() -> str:
         layer, x = torch.nn.Conv2d(3, 8, 3), torch.randn(2, 3, 32, 32)
-        wanted = layer(x).detach()
-        return f"cuDNN {torch.backends.cudnn.version()}, " + close(layer.cuda()(x.cuda()).detach(), wanted, 1e-2)
+        expected = layer(x).detach()
+        return f"cuDNN {torch.backends.cudnn.version()}, " + close(layer.cuda()(x.cuda()).detach(), expected, 1e-2)
 
     def gradient() -> str:
         x = torch.randn(64, 64, device="cuda", requires_grad=True)
@@ -98,18 +98,20 @@ def tensorflow_probes() -> Iterator[tuple[str, Probe]]:
     import tensorflow as tf
 
     def device() -> str:
-        found = tf.config.list_physical_devices("GPU")
-        assert found, "TensorFlow sees no GPU: no driver, or a library that it could not load (see its messages above)"
-        name = tf.config.experimental.get_device_details(found[0]).get("device_name", "?")
+        devices = tf.config.list_physical_devices("GPU")
+        assert devices, (
+            "TensorFlow sees no GPU: no driver, or a library that it could not load (see its messages above)"
+        )
+        name = tf.config.experimental.get_device_details(devices[0]).get("device_name", "?")
         return f"{name}, CUDA {tf.sysconfig.get_build_info().get('cuda_version')}, tensorflow {tf.__version__}"
 
     def close(function: Callable[..., Any], *arguments: Any, tolerance: float) -> str:
         with tf.device("/CPU:0"):
-            wanted = function(*arguments)
+            expected = function(*arguments)
         with tf.device("/GPU:0"):
-            found = function(*arguments)
-        assert "GPU" in found.device, found.device
-        difference = float(tf.reduce_max(tf.abs(found - wanted)))
+            result = function(*arguments)
+        assert "GPU" in result.device, result.device
+        difference = float(tf.reduce_max(tf.abs(result - expected)))
         assert difference <= tolerance, f"differs from the CPU by {difference}"
         return f"within {tolerance:g} of the CPU"
 
@@ -124,8 +126,8 @@ def tensorflow_probes() -> Iterator[tuple[str, Probe]]:
     def compiled() -> str:
         function = tf.function(lambda x: tf.sin(x) ** 2 + tf.cos(x) ** 2, jit_compile=True)
         with tf.device("/GPU:0"):
-            found = function(tf.random.normal((1000,)))
-        assert float(tf.reduce_max(tf.abs(found - 1))) < 1e-5
+            result = function(tf.random.normal((1000,)))
+        assert float(tf.reduce_max(tf.abs(result - 1))) < 1e-5
         return "XLA"
 
     yield from {
@@ -175,7 +177,7 @@ def tensorrt_rtx_probes() -> Iterator[tuple[str, Probe]]:
 
         plan = built()
         assert plan is not None, "no engine was built: see its messages above"
-        size, found = 4 * len(values), (ctypes.c_float * len(values))()
+        size, outputs = 4 * len(values), (ctypes.c_float * len(values))()
         places = {"x": ctypes.c_uint64(), "y": ctypes.c_uint64()}
         for place in places.values():
             called("cuMemAlloc_v2", ctypes.byref(place), ctypes.c_size_t(size))
@@ -187,8 +189,8 @@ def tensorrt_rtx_probes() -> Iterator[tuple[str, Probe]]:
             context.set_tensor_address(name, place.value)
         assert context.execute_async_v3(0), "the engine does not run: see its messages above"
         called("cuCtxSynchronize")
-        called("cuMemcpyDtoH_v2", found, places["y"], ctypes.c_size_t(size))
-        difference = max(abs(y - math.tanh(3 * x)) for x, y in zip(values, found))
+        called("cuMemcpyDtoH_v2", outputs, places["y"], ctypes.c_size_t(size))
+        difference = max(abs(y - math.tanh(3 * x)) for x, y in zip(values, outputs))
         assert difference <= 1e-2, f"differs from the CPU by {difference}"
         return "within 0.01 of the CPU"
 
@@ -212,13 +214,15 @@ def main() -> int:
         for name, probe in probes():
             began = time.perf_counter()
             try:
-                passed, said = True, probe()
+                passed, outcome = True, probe()
             except Exception as error:
-                passed, said = False, str(error) or traceback.format_exc()
+                passed, outcome = False, str(error) or traceback.format_exc()
             seconds = round(time.perf_counter() - began, 2)
-            outcomes.append({"framework": framework, "probe": name, "passed": passed, "seconds": seconds, "said": said})
+            outcomes.append(
+                {"framework": framework, "probe": name, "passed": passed, "seconds": seconds, "said": outcome}
+            )
             if not as_json:
-                print(f"{'ok' if passed else 'FAILED':7}{framework}: {name}: {said} ({seconds} s)", flush=True)
+                print(f"{'ok' if passed else 'FAILED':7}{framework}: {name}: {outcome} ({seconds} s)", flush=True)
             if not passed and name == "device":
                 break  # nothing else can work
     if as_json:

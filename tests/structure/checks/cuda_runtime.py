@@ -28,7 +28,7 @@ def written(function: Any) -> int:
 cuda, cudnn, nccl = map(promised, ("CUDA", "CUDNN", "NCCL"))
 cudnn_version = ctypes.CDLL(f"libcudnn.so.{cudnn[0]}").cudnnGetVersion
 cudnn_version.restype = ctypes.c_size_t
-found = {
+libraries = {
     "CUDA runtime": (
         written(ctypes.CDLL(f"libcudart.so.{cuda[0]}").cudaRuntimeGetVersion),
         cuda[0] * 1000 + cuda[1] * 10,
@@ -36,5 +36,7 @@ found = {
     "cuDNN": (cudnn_version(), cudnn[0] * 10000 + cudnn[1] * 100 + cudnn[2]),
     "NCCL": (written(ctypes.CDLL(f"libnccl.so.{nccl[0]}").ncclGetVersion), nccl[0] * 10000 + nccl[1] * 100 + nccl[2]),
 }
-wrong = [f"{name} {version}, expected {wanted}" for name, (version, wanted) in found.items() if version != wanted]
+wrong = [
+    f"{name} {version}, expected {expected}" for name, (version, expected) in libraries.items() if version != expected
+]
 sys.exit("\n".join(wrong) or 0)

@@ -26,9 +26,9 @@ def of_torch() -> list[str]:
     spec = find_spec("torch")
     assert spec and spec.submodule_search_locations, "torch is not there"
     library = Path(spec.submodule_search_locations[0], "lib/libtorch_python.so").read_bytes()
-    found = {match[1].decode() for match in re.finditer(rb"\0((?:sm_[0-9]+[af]?)(?: sm_[0-9]+[af]?)*) ?\0", library)}
-    assert len(found) < 2, found
-    return " ".join(found).split()
+    targets = {match[1].decode() for match in re.finditer(rb"\0((?:sm_[0-9]+[af]?)(?: sm_[0-9]+[af]?)*) ?\0", library)}
+    assert len(targets) < 2, targets
+    return " ".join(targets).split()
 
 
 def of_tensorflow() -> list[str]:
@@ -46,8 +46,8 @@ def of_onnxruntime() -> list[str]:
         return []
     with library.open("rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
         several = [kinds for kinds in compiled(content) if len(kinds) > 1]
-    found = Counter(kind for kinds in several for kind in kinds)
-    return [name for _, _, name in sorted(kind for kind, times in found.items() if times * 2 > len(several))]
+    counts = Counter(kind for kinds in several for kind in kinds)
+    return [name for _, _, name in sorted(kind for kind, times in counts.items() if times * 2 > len(several))]
 
 
 MAGIC = struct.pack("<IH", 0xBA55ED50, 1)
@@ -66,19 +66,19 @@ def compiled(content: mmap.mmap) -> Iterator[set[tuple[int, int, str]]]:
         size, whole = struct.unpack_from("<HQ", content, at + 6)
         place, end, kinds = at + size, at + size + whole, set()
         while place < end:
-            kind, own, length, number, flags = struct.unpack_from("<H2xIQ12xI8xQ", content, place)
-            assert kind in (PTX, CODE) and own, f"unknown code at {place}"
+            kind, header, length, number, flags = struct.unpack_from("<H2xIQ12xI8xQ", content, place)
+            assert kind in (PTX, CODE) and header, f"unknown code at {place}"
             name = f"{'sm' if kind == CODE else 'compute'}_{number}{'a' if flags & ARCHITECTURE_ALONE else ''}"
             kinds.add((kind == PTX, number, name))
-            place += own + length
+            place += header + length
         yield kinds
         at = content.find(MAGIC, end)
 
 
-def wrong(what: str, found: object, promised: object) -> None:
+def wrong(what: str, present: object, promised: object) -> None:
     """Ends with an error unless the two are the same."""
-    if found != promised:
-        sys.exit(f"{what}: {found}, expected {promised}")
+    if present != promised:
+        sys.exit(f"{what}: {present}, expected {promised}")
 
 
 if __name__ == "__main__":
@@ -87,8 +87,8 @@ if __name__ == "__main__":
         cuda = os.environ.get("EXPECT_CUDA")
         wrong("NVIDIA_REQUIRE_CUDA", os.environ.get("NVIDIA_REQUIRE_CUDA"), cuda and f"cuda>={cuda.split('.')[0]}.0")
     else:
-        asked = ["dpkg", "--print-architecture"]
-        architecture = subprocess.run(asked, stdout=subprocess.PIPE, text=True, check=True).stdout.strip().upper()
+        command = ["dpkg", "--print-architecture"]
+        architecture = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout.strip().upper()
         promised = os.environ.get(f"EXPECT_GPU_{what.upper()}_{architecture}", "")
         of = {"torch": of_torch, "tensorflow": of_tensorflow, "onnxruntime": of_onnxruntime}[what]
         wrong(what, of(), promised.split(",") if promised else [])

@@ -25,12 +25,12 @@ for record in (record for record in records if not record.is_symlink()):  # a li
                 continue
             checked += 1
             try:
-                found = os.stat(os.path.join(record.parent.parent, path)).st_size
+                present_size = os.stat(os.path.join(record.parent.parent, path)).st_size
             except OSError:
                 wrong.append(f"{path} is missing")
                 continue
-            if found != int(size):
-                wrong.append(f"{path} has {found} bytes, {size} are on record")
+            if present_size != int(size):
+                wrong.append(f"{path} has {present_size} bytes, {size} are on record")
 # What one part takes another's files to be, when the two were assembled apart (records.py link): the library and headers
 # of the wheel for this Python are byte for byte those of the wheel that the other part was taken from.
 for expected in LOCAL.glob("share/rosml/expected.d/*"):

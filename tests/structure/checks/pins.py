@@ -21,13 +21,13 @@ def normal(name: str) -> str:
 
 def constraints(file: Path) -> set[str]:
     """The constraints of a file, and of those that it names."""
-    found: set[str] = set()
+    lines: set[str] = set()
     for line in file.read_text().splitlines():
         if line.startswith("-c "):
-            found |= constraints(file.parent / line[3:])
+            lines |= constraints(file.parent / line[3:])
         elif line and not line.startswith("#"):
-            found.add(line)
-    return found
+            lines.add(line)
+    return lines
 
 
 KEPT = re.compile(r"numpy|torch|torchvision|torchaudio|triton|tensorflow(-.*)?|nvidia-.*")
@@ -36,27 +36,27 @@ KEPT = re.compile(r"numpy|torch|torchvision|torchaudio|triton|tensorflow(-.*)?|n
 
 def carried() -> tuple[set[str], set[tuple[str, str]]]:
     """What Python finds in /usr/local, as constraints; and what that asks for, as names and clauses: ("pillow", ">=5.3.0")."""
-    found: set[str] = set()
-    asked: set[tuple[str, str]] = set()
+    packages: set[str] = set()
+    requirements: set[tuple[str, str]] = set()
     for metadata in ROOT.glob("usr/local/lib/python3*/dist-packages/*.dist-info/METADATA"):
         with metadata.open(encoding="utf-8") as stream:
-            said = HeaderParser().parse(stream)
-        found.add(f"{normal(said['Name'])}=={said['Version']}")
-        for line in said.get_all("Requires-Dist", ()):
+            description = HeaderParser().parse(stream)
+        packages.add(f"{normal(description['Name'])}=={description['Version']}")
+        for line in description.get_all("Requires-Dist", ()):
             requirement, _, marker = re.sub(r"\[[^]]*\]", "", line).partition(";")
             name = re.split(r"[^\w.-]", requirement)[0]
             clauses = re.sub(r"[\s()]", "", requirement[len(name) :])
             if "extra" not in marker:
-                asked |= {(normal(name), clause) for clause in clauses.split(",") if clause}
-    return found, asked
+                requirements |= {(normal(name), clause) for clause in clauses.split(",") if clause}
+    return packages, requirements
 
 
-named = {
+settings = {
     "/etc/pip.conf": re.findall(r"^constraint = (.*)", (ROOT / "etc/pip.conf").read_text(), re.MULTILINE),
     "UV_CONSTRAINT": [os.environ.get("UV_CONSTRAINT", "")],
 }
-wrong = [f"{who} names {what}, and not {FILE}" for who, what in named.items() if what != [FILE]]
-kept, (parts, asked) = constraints(ROOT / FILE[1:]), carried()
+wrong = [f"{who} names {what}, and not {FILE}" for who, what in settings.items() if what != [FILE]]
+kept, (parts, requirements) = constraints(ROOT / FILE[1:]), carried()
 pinned = {line for line in kept if re.fullmatch(r"[a-z0-9-]+==[^;]*", line)}
 names = {line.partition("==")[0] for line in pinned}
 held = {
@@ -68,7 +68,7 @@ wrong += [f"{item} is there, and not pinned" for item in sorted(parts - pinned) 
 wrong += [f"{item} is pinned, and not there" for item in sorted(pinned - parts)]
 wrong += [
     f"a part asks for {''.join(item)}, and nothing holds it to that"
-    for item in sorted(asked - held)
+    for item in sorted(requirements - held)
     if item[0] not in names
 ]
 for name in ("numpy", "empy"):

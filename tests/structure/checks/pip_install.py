@@ -76,9 +76,9 @@ def versions(by: Sequence[str] = (sys.executable,)) -> dict[str, str]:
     """All packages that a Python finds, the ones that shadow others, with their versions."""
     code = (
         "import importlib.metadata as m, json\n"
-        "found = {}\n"
-        "for d in m.distributions(): found.setdefault((d.metadata['Name'] or '').lower(), d.version)\n"
-        "print(json.dumps(found))"
+        "versions_by_name = {}\n"
+        "for d in m.distributions(): versions_by_name.setdefault((d.metadata['Name'] or '').lower(), d.version)\n"
+        "print(json.dumps(versions_by_name))"
     )
     return dict(json.loads(subprocess.run([*by, "-c", code], stdout=subprocess.PIPE, check=True).stdout))
 
@@ -88,8 +88,8 @@ LINES = [line for slot in CONSTRAINTS.parent.glob("constraints.d/[0-9]*.txt") fo
 
 def pinned() -> dict[str, str]:
     """What keeps its version, by the slots of the image's parts."""
-    found = (re.fullmatch(r"([a-z0-9-]+)==([^;]+)", line) for line in LINES)
-    return {match[1]: match[2] for match in found if match}
+    matches = (re.fullmatch(r"([a-z0-9-]+)==([^;]+)", line) for line in LINES)
+    return {match[1]: match[2] for match in matches if match}
 
 
 def movable() -> dict[str, bool]:
@@ -98,11 +98,11 @@ def movable() -> dict[str, bool]:
         line.split()[0] for file in CONSTRAINTS.parent.glob("versions.d/*") for line in file.read_text().splitlines()
     }
     names = (held & {re.sub(r"[-_.]+", "-", name) for name in versions()}) - pins.keys()
-    asked = {name: SpecifierSet() for name in names}
+    bounds_by_name = {name: SpecifierSet() for name in names}
     for requirement in map(Requirement, filter(lambda line: line[:1] not in ("", "#"), LINES)):
-        if requirement.name in asked and (requirement.marker is None or requirement.marker.evaluate()):
-            asked[requirement.name] &= requirement.specifier
-    return {name: FAR in bounds for name, bounds in asked.items()}
+        if requirement.name in bounds_by_name and (requirement.marker is None or requirement.marker.evaluate()):
+            bounds_by_name[requirement.name] &= requirement.specifier
+    return {name: FAR in bounds for name, bounds in bounds_by_name.items()}
 
 
 def checked(by: Sequence[str]) -> str:
@@ -110,8 +110,8 @@ def checked(by: Sequence[str]) -> str:
     return subprocess.run([*by, "-m", "pip", "check"], stdout=subprocess.PIPE, text=True).stdout
 
 
-own_pip = pip("--version").split()[1]
-assert Version(own_pip) >= Version("23.2"), own_pip
+pip_version = pip("--version").split()[1]
+assert Version(pip_version) >= Version("23.2"), pip_version
 before = versions()
 pins = pinned()
 leaves = movable()
@@ -133,19 +133,19 @@ for name, version in too_far.items():
 
 # numpy stays within the range, and frameworks that are there are enough.
 install("--upgrade", "numpy", "wantsframeworks")
-found = versions()
-numpy = found.pop("numpy")
+present = versions()
+numpy = present.pop("numpy")
 assert numpy == before.get("numpy", numpy) != FAR, numpy
-wanted = {**before, "wantsframeworks": "1.0"}
-wanted.pop("numpy", None)
-assert found == wanted, set(found.items()) ^ set(wanted.items())
+expected = {**before, "wantsframeworks": "1.0"}
+expected.pop("numpy", None)
+assert present == expected, set(present.items()) ^ set(expected.items())
 pip("uninstall", "--yes", "wantsframeworks", *([] if "numpy" in before else ["numpy"]))
 
 REASON = re.compile(r"conflict|No matching distribution")
 
 for name in too_far:
-    said = install(f"wantsfar{name}", expect=1)
-    assert REASON.search(said), said
+    output = install(f"wantsfar{name}", expect=1)
+    assert REASON.search(output), output
 
 # Frameworks and what they were compiled with stay, whatever asks for something else; what fits neither is refused as a whole.
 install("--upgrade", *pins, "wantsframeworks")
@@ -155,8 +155,8 @@ wheel("wantslacking", "1.0", [*carried, "lacking"])
 for name in carried:
     wheel(f"wantsfar{name}", "1.0", [f"{name}>={FAR}", "wantslacking"])
 for name in [*(f"wantsfar{name}" for name in carried), "wantslacking"]:
-    said = install(name, expect=1)
-    assert REASON.search(said), said
+    output = install(name, expect=1)
+    assert REASON.search(output), output
 assert versions() == before
 
 # The index has these releases as well now: for who is not shown the image's own.
@@ -164,7 +164,7 @@ for name in carried:
     wheel(name, before[name])
 if "numpy" in before:
     wheel("numpy", before["numpy"])
-own = {name: before[name] for name in carried}
+carried_versions = {name: before[name] for name in carried}
 
 
 def of_a_user() -> None:
@@ -175,18 +175,20 @@ def of_a_user() -> None:
     user = ("gosu", "4711:4711", "env", f"HOME={home}", sys.executable)
     for options in ([], ["--user"]):
         install(*options, "--upgrade", "wantsframeworks", *carried, by=user)
-        found = versions(user)
-        assert found == {**before, "wantsframeworks": "1.0", "numpy": numpy}, set(found.items()) ^ set(before.items())
+        present = versions(user)
+        assert present == {**before, "wantsframeworks": "1.0", "numpy": numpy}, set(present.items()) ^ set(
+            before.items()
+        )
         shutil.rmtree(home / ".local")
 
 
 def in_a_folder() -> None:
     install("--target", str(FOLDER / "target"), "wantsframeworks")
-    there = {path.name for path in (FOLDER / "target").glob("*.dist-info")}
-    assert there == {f"{name}-{own[name]}.dist-info" for name in carried} | {
+    installed = {path.name for path in (FOLDER / "target").glob("*.dist-info")}
+    assert installed == {f"{name}-{carried_versions[name]}.dist-info" for name in carried} | {
         "wantsframeworks-1.0.dist-info",
         f"numpy-{numpy}.dist-info",
-    }, there
+    }, installed
 
 
 def in_an_environment(option: str) -> None:
@@ -195,8 +197,8 @@ def in_an_environment(option: str) -> None:
     subprocess.run([sys.executable, "-m", "venv", option, environment], check=True)
     inside = (str(environment / "bin/python"),)
     install("wantsframeworks", by=inside)
-    found = versions(inside)
-    assert {name: found[name] for name in (*carried, "numpy")} == {**own, "numpy": numpy}, found
+    present = versions(inside)
+    assert {name: present[name] for name in (*carried, "numpy")} == {**carried_versions, "numpy": numpy}, present
     if leaves and option == "--system-site-packages":
         complaints = checked(inside)
         install("--upgrade", *leaves, by=inside)
@@ -210,8 +212,8 @@ def in_an_environment(option: str) -> None:
     shown = [path.name for name in carried for path in environment.glob(f"lib/python3*/site-packages/{name}-*")]
     assert bool(shown) == (bool(carried) and option == "--clear"), shown
     for name in ("numpy", *carried):
-        said = install(f"wantsfar{name}", expect=1, by=inside)
-        assert REASON.search(said), said
+        output = install(f"wantsfar{name}", expect=1, by=inside)
+        assert REASON.search(output), output
     for name in carried:
         install("--upgrade", name, by=("unpinned", *inside))
         assert versions(inside)[name] == FAR

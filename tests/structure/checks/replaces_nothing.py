@@ -53,8 +53,10 @@ def of_packages() -> set[str]:
 def replaced() -> list[str]:
     """Files of packages that a part replaced: it has links to its own below /usr/local, and nothing else elsewhere."""
     places = {path: ROOT / path.lstrip("/") for path in of_packages()}
-    own = f"{LOCAL.resolve()}/lib/"
-    return sorted(path for path, file in places.items() if file.is_symlink() and os.path.realpath(file).startswith(own))
+    parts_folder = f"{LOCAL.resolve()}/lib/"
+    return sorted(
+        path for path, file in places.items() if file.is_symlink() and os.path.realpath(file).startswith(parts_folder)
+    )
 
 
 def modules(folder: Path) -> set[str]:
@@ -84,8 +86,8 @@ theirs = [ROOT / "usr/lib/python3/dist-packages", *ROOT.glob("opt/ros/*/lib/pyth
 theirs += ROOT.glob("opt/ros/*/local/lib/python3*/*-packages")
 versions = [file.read_text() for file in (LOCAL / "share/rosml/versions.d").glob("*")]
 of_base = {"pip"} - {line.split()[0] for text in versions for line in text.splitlines()}
-wanted = NEVER.union(*map(modules, theirs)) - of_base
-shadowed = {name for site in sites for name in modules(site) & wanted}
+others = NEVER.union(*map(modules, theirs)) - of_base
+shadowed = {name for site in sites for name in modules(site) & others}
 unexplained = sorted(shadowed - SHADOWED.keys())
 hidden = {name: imports for name, imports in hidden_commands().items() if not imports & (SHADOWED.keys() | of_base)}
 print("shadowed:", *sorted(shadowed))

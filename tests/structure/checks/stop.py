@@ -41,8 +41,8 @@ def read(folder: Path) -> dict[str, str]:
 def untold() -> str:
     """Why this cannot be told here; empty if it can. Without a container's first process, tini takes its place as a subreaper, which QEMU
     7.2 does not know."""
-    said = subprocess.run(["/tini", "-s", "true"], capture_output=True, text=True)
-    unknown = "PR_SET_CHILD_SUBREAPER is unavailable" in said.stderr
+    done = subprocess.run(["/tini", "-s", "true"], capture_output=True, text=True)
+    unknown = "PR_SET_CHILD_SUBREAPER is unavailable" in done.stderr
     return "not told under emulation: no process takes the place of a container's first one" if unknown else ""
 
 
@@ -63,9 +63,9 @@ def main() -> None:
             time.sleep(0.05)
         process.terminate()
         process.wait(60)
-        found = read(folder)
-        if found != EXPECTED or process.returncode != 128 + 15:
-            sys.exit(f"{found}, exit code {process.returncode}; expected {EXPECTED}, {128 + 15}")
+        logs = read(folder)
+        if logs != EXPECTED or process.returncode != 128 + 15:
+            sys.exit(f"{logs}, exit code {process.returncode}; expected {EXPECTED}, {128 + 15}")
 
 
 if __name__ == "__main__":

@@ -29,9 +29,9 @@ def pairs(text: str) -> dict[str, str]:
     return {line[0]: line[1] for line in lines if len(line) == 2}
 
 
-def same(found: str | None, promised: str | None) -> bool:
+def same(present: str | None, promised: str | None) -> bool:
     """Whether a version is the promised one: 2.10.0+cpu is 2.10.0, built for another accelerator."""
-    return (found and found.split("+")[0]) == promised
+    return (present and present.split("+")[0]) == promised
 
 
 def wrong(
@@ -44,34 +44,34 @@ def wrong(
         promised: by name in small letters: EXPECT_TORCH is `torch`.
     """
     rows = pairs(banner)
-    found: list[str] = []
+    problems: list[str] = []
 
-    def check(what: str, well: bool, is_: object, wanted: object) -> None:
+    def check(what: str, well: bool, is_: object, expected: object) -> None:
         if not well:
-            found.append(f"{what}: {is_}, expected {wanted}")
+            problems.append(f"{what}: {is_}, expected {expected}")
 
     released = {
         name: rf"{name}(-cpu|-gpu|-cu\d+-bindings)?" for name in promised.get("releases", "").split(",") if name
     }
     for name, pattern in {**RECORDED, **released}.items():
         versions = {package: version for package, version in recorded.items() if re.fullmatch(pattern, package)}
-        wanted = promised.get(name.replace("-", "_"))
-        well = all(same(version, wanted) for version in versions.values()) and bool(versions) == bool(wanted)
-        check(f"recorded of {name}", well, versions or "nothing", wanted)
+        expected = promised.get(name.replace("-", "_"))
+        well = all(same(version, expected) for version in versions.values()) and bool(versions) == bool(expected)
+        check(f"recorded of {name}", well, versions or "nothing", expected)
         if name in TITLES:
             row = rows.get(TITLES[name])
-            check(f"the banner's {TITLES[name]}", same(row, wanted), row, wanted)
+            check(f"the banner's {TITLES[name]}", same(row, expected), row, expected)
     ros = f"{promised['ros_distro']} (ROS {promised['ros']})"
     check("the banner's ROS", rows.get("ROS") == ros, rows.get("ROS"), ros)
     check("the banner's RMW", *_middleware(rows.get("RMW", ""), promised))
     python = rows.get("Python", "")
     check("the banner's Python", python.startswith(promised["python"] + "."), python, promised["python"])
-    known = {system.get("VERSION_CODENAME"), f"{system['ID']}-{system.get('VERSION_ID')}"}
+    system_names = {system.get("VERSION_CODENAME"), f"{system['ID']}-{system.get('VERSION_ID')}"}
     check(
         "the operating system's name in matrix.yaml",
-        promised["os"] in known,
+        promised["os"] in system_names,
         promised["os"],
-        sorted(filter(None, known)),
+        sorted(filter(None, system_names)),
     )
     check(
         "the banner's OS",
@@ -79,18 +79,18 @@ def wrong(
         rows.get("OS"),
         system["PRETTY_NAME"],
     )
-    return found
+    return problems
 
 
 def _middleware(row: str, promised: Mapping[str, str]) -> tuple[bool, str, str]:
     """Whether the banner names the middleware of ROS 2, and all that the matrix promises; and what it should say."""
     if promised["ros"] == "1":
         return not row, row, "none: ROS 1 has one of its own"
-    told = re.fullmatch(r"(rmw_\w+) \(installed: (.*)\)", row)
-    names = told[2].split() if told else []
+    match = re.fullmatch(r"(rmw_\w+) \(installed: (.*)\)", row)
+    names = match[2].split() if match else []
     default = names[0] if names and "rmw_fastrtps_cpp" not in names else "rmw_fastrtps_cpp"
     needed = [default, *filter(None, promised.get("rmw", "").split(","))]
-    well = bool(told and told[1] == default) and set(needed) <= set(names) and "rmw_implementation" not in names
+    well = bool(match and match[1] == default) and set(needed) <= set(names) and "rmw_implementation" not in names
     return well, row, f"{default}, and installed: {' '.join(needed)}"
 
 
@@ -101,8 +101,8 @@ def main() -> None:
     promised = {key[len(prefix) :].lower(): value for key, value in os.environ.items() if key.startswith(prefix)}
     banner = subprocess.run([SHARE / "banner.sh"], stdout=subprocess.PIPE, text=True, check=True).stdout
     print(banner)
-    if found := wrong(banner, recorded, {key: value.strip("\"'") for key, value in system.items()}, promised):
-        sys.exit("\n".join(found))
+    if problems := wrong(banner, recorded, {key: value.strip("\"'") for key, value in system.items()}, promised):
+        sys.exit("\n".join(problems))
 
 
 if __name__ == "__main__":

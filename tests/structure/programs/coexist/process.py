@@ -27,8 +27,8 @@ def runtimes_too_many(maps: str, machine: str) -> list[str]:
     """
     mapped = sorted({line.split()[-1] for line in maps.splitlines()})
     runtimes = [path for path in mapped if re.search(r"/lib(gomp|iomp5|omp)[-.]", path)]
-    own = [path for path in runtimes if re.search(r"/tensorflow[^/]*\.libs/libomp-", path)]
-    allowed = 2 if machine == "aarch64" and len(own) == 1 else 1
+    tensorflows = [path for path in runtimes if re.search(r"/tensorflow[^/]*\.libs/libomp-", path)]
+    allowed = 2 if machine == "aarch64" and len(tensorflows) == 1 else 1
     return runtimes if len(runtimes) > allowed else []
 
 
@@ -104,11 +104,11 @@ def main(turns: int = 1) -> None:
     seeing = ["cv_bridge", "cv2"] if "EXPECT_PACKAGES_PERCEPTION" in os.environ else []
     names = [*seeing, *promised, *(["numpy"] if seeing or promised else [])]
     names.append("rospy" if os.environ["ROS_VERSION"] == "1" else "rclpy")
-    wanted = orders(names, turns)
+    all_orders = orders(names, turns)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        if failed := list(filter(None, pool.map(run, wanted))):
+        if failed := list(filter(None, pool.map(run, all_orders))):
             sys.exit("\n".join(failed))
-    print("both" if turns == 1 else len(wanted), "orders: each works and ends cleanly")
+    print("both" if turns == 1 else len(all_orders), "orders: each works and ends cleanly")
 
 
 if __name__ == "__main__":

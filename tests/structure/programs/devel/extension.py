@@ -25,14 +25,14 @@ from triton.backends.compiler import GPUTarget
 from triton.compiler import ASTSource
 
 @triton.jit
-def twice(given, result, count, BLOCK: tl.constexpr):
+def twice(numbers, result, count, BLOCK: tl.constexpr):
     at = tl.program_id(0) * BLOCK + tl.arange(0, BLOCK)
-    tl.store(result + at, 2 * tl.load(given + at, at < count), at < count)
+    tl.store(result + at, 2 * tl.load(numbers + at, at < count), at < count)
 
-kinds = {"given": "*fp32", "result": "*fp32", "count": "i32", "BLOCK": "constexpr"}
+kinds = {"numbers": "*fp32", "result": "*fp32", "count": "i32", "BLOCK": "constexpr"}
 for number in (80, 90):
-    made = triton.compile(ASTSource(twice, kinds, {"BLOCK": 128}), target=GPUTarget("cuda", number, 32))
-    assert made.asm["cubin"].startswith(b"\\x7fELF")
+    compiled = triton.compile(ASTSource(twice, kinds, {"BLOCK": 128}), target=GPUTarget("cuda", number, 32))
+    assert compiled.asm["cubin"].startswith(b"\\x7fELF")
     print("Triton", triton.__version__, "for", number)
 """
 
@@ -48,8 +48,8 @@ def main() -> None:
         env = {name: value for name, value in os.environ.items() if name not in ("CUDA_HOME", "CUDA_PATH")}
         env.update({"TORCH_CUDA_ARCH_LIST": "9.0", "TRITON_CACHE_DIR": f"{folder}/cache"})
         build = [sys.executable, "setup.py", "-q", "build_ext", "--inplace"]
-        asked = [sys.executable, "-c", "import torch, answer; print('the answer is', answer.answer)"]
-        for command in (build, asked, [sys.executable, "kernel.py"]):
+        show = [sys.executable, "-c", "import torch, answer; print('the answer is', answer.answer)"]
+        for command in (build, show, [sys.executable, "kernel.py"]):
             subprocess.run(command, cwd=folder, check=True, env=env)
 
 

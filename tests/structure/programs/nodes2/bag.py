@@ -45,13 +45,13 @@ until("`ros2 bag record` listens to /numbers", publisher.get_subscription_count,
 for number in range(SENT):
     publisher.publish(Int32(data=number))
     time.sleep(0.1)
-said = stop("record", recorder)
+output = stop("record", recorder)
 node.destroy_publisher(publisher)
 
 info = subprocess.run(["ros2", "bag", "info", str(folder)], capture_output=True, text=True, timeout=SECONDS)
 counted = re.search(r"Topic: /numbers \| Type: std_msgs/msg/Int32 \| Count: ([1-9]\d*)", info.stdout)
 if not counted:
-    sys.exit(f"no message of /numbers was recorded:\n{info.stdout}{info.stderr}\n`ros2 bag record` said:\n{said}")
+    sys.exit(f"no message of /numbers was recorded:\n{info.stdout}{info.stderr}\n`ros2 bag record` said:\n{output}")
 
 heard: list[int] = []
 node.create_subscription(Int32, "numbers", lambda message: heard.append(message.data), SENT)

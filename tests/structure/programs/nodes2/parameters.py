@@ -11,8 +11,8 @@ rclpy.init()
 node = rclpy.create_node("parameters")
 node.declare_parameter("rate", 10)
 node.add_on_set_parameters_callback(
-    lambda wanted: SetParametersResult(
-        successful=all(parameter.value > 0 for parameter in wanted), reason="not above 0"
+    lambda changes: SetParametersResult(
+        successful=all(parameter.value > 0 for parameter in changes), reason="not above 0"
     )
 )
 executor = SingleThreadedExecutor()

@@ -8,5 +8,5 @@ import subprocess
 
 def topics(*names: str) -> list[str]:
     """Words that name topics: an option from jazzy on, and nothing else from lyrical on (rosbag2#1632, rosbag2#2328)."""
-    asked = subprocess.run(["ros2", "bag", "record", "--help"], capture_output=True, text=True, timeout=60)
-    return [*(["--topics"] if re.search(r"^ +--topics\b", asked.stdout, re.MULTILINE) else []), *names]
+    done = subprocess.run(["ros2", "bag", "record", "--help"], capture_output=True, text=True, timeout=60)
+    return [*(["--topics"] if re.search(r"^ +--topics\b", done.stdout, re.MULTILINE) else []), *names]

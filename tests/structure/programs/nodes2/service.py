@@ -19,9 +19,9 @@ node.create_service(SetBool, "switch", switch)
 client = node.create_client(SetBool, "switch")
 step = lambda: rclpy.spin_once(node, timeout_sec=0.1)  # noqa: E731
 until("the service /switch is found", client.service_is_ready, step)
-for wanted, told in ((True, "on"), (False, "off")):
-    response = answer(f"/switch answers {told}", client.call_async(SetBool.Request(data=wanted)), step)
-    assert response.success and response.message == told, response
+for state, answer_text in ((True, "on"), (False, "off")):
+    response = answer(f"/switch answers {answer_text}", client.call_async(SetBool.Request(data=state)), step)
+    assert response.success and response.message == answer_text, response
 node.destroy_node()
 rclpy.shutdown()
 print("service: on, off")

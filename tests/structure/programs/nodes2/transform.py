@@ -27,10 +27,10 @@ def step() -> None:
 
 
 until("the transform from camera to base is known", lambda: buffer.can_transform("camera", "base", Time()), step)
-found = buffer.lookup_transform("camera", "base", Time()).transform
-place = found.translation
-assert math.dist((place.x, place.y, place.z), (0, 1, 0)) < 1e-9, found
-assert abs(abs(found.rotation.z) - math.sqrt(0.5)) < 1e-9, found
+transform = buffer.lookup_transform("camera", "base", Time()).transform
+place = transform.translation
+assert math.dist((place.x, place.y, place.z), (0, 1, 0)) < 1e-9, transform
+assert abs(abs(transform.rotation.z) - math.sqrt(0.5)) < 1e-9, transform
 sender.destroy_node()
 looker.destroy_node()
 rclpy.shutdown()

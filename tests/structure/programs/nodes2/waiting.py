@@ -15,11 +15,11 @@ SECONDS = 60
 def until(what: str, holds: Callable[[], Any], step: Callable[[], Any], seconds: float = SECONDS) -> Any:
     """Takes steps until something holds, and returns it."""
     end = time.monotonic() + seconds
-    while not (found := holds()):
+    while not (value := holds()):
         if time.monotonic() > end:
             sys.exit(f"waited {seconds} s in vain: {what}")
         step()
-    return found
+    return value
 
 
 def answer(what: str, future: Any, step: Callable[[], Any]) -> Any:
@@ -30,19 +30,19 @@ def answer(what: str, future: Any, step: Callable[[], Any]) -> Any:
 
 def says(command: list[str], words: str) -> None:
     """A command says something within its time, if not at the first try: other nodes are found little by little."""
-    said = ""
+    output = ""
 
     def tried() -> bool:
-        nonlocal said
+        nonlocal output
         try:
             done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS)
         except subprocess.TimeoutExpired:
             sys.exit(f"`{' '.join(command)}` did not end within {SECONDS} s")
-        said = done.stdout + done.stderr
+        output = done.stdout + done.stderr
         return done.returncode == 0 and words in done.stdout
 
     end = time.monotonic() + SECONDS
     while not tried():
         if time.monotonic() > end:
-            sys.exit(f"`{' '.join(command)}` did not say '{words}' within {SECONDS} s, but:\n{said}")
+            sys.exit(f"`{' '.join(command)}` did not say '{words}' within {SECONDS} s, but:\n{output}")
         time.sleep(0.2)

@@ -21,5 +21,5 @@ lacking = ModuleType("onnx")
 lacking.load_model_from_string = lambda _: SimpleNamespace(graph=SimpleNamespace(node=()))  # type: ignore[attr-defined]
 sys.modules["onnx"] = lacking
 torch.onnx.export(network, (picture,), sys.argv[1], dynamo=False)
-found = torch.from_numpy(infer.infer(Path(sys.argv[1])))
-assert torch.allclose(found, network(picture), atol=1e-5), (found, network(picture))
+result = torch.from_numpy(infer.infer(Path(sys.argv[1])))
+assert torch.allclose(result, network(picture), atol=1e-5), (result, network(picture))

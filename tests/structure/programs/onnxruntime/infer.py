@@ -19,10 +19,10 @@ def infer(path: Path) -> np.ndarray:
     options = ort.SessionOptions()
     options.intra_op_num_threads = 1
     session = ort.InferenceSession(str(path), options, providers=["CPUExecutionProvider"])
-    (wanted,) = session.get_inputs()
-    numbers = np.arange(np.prod(wanted.shape), dtype=np.float32) * np.float32(0.1)
-    (found,) = session.run(None, {wanted.name: numbers.reshape(wanted.shape)})
-    return np.asarray(found)
+    (model_input,) = session.get_inputs()
+    numbers = np.arange(np.prod(model_input.shape), dtype=np.float32) * np.float32(0.1)
+    (result,) = session.run(None, {model_input.name: numbers.reshape(model_input.shape)})
+    return np.asarray(result)
 
 
 def main() -> None:
@@ -30,10 +30,10 @@ def main() -> None:
     assert ort.__version__ == promised == os.environ["ONNXRUNTIME_VERSION"], ort.__version__
     with tempfile.TemporaryDirectory() as folder:
         model.main(Path(folder))
-        found = infer(Path(folder, "tanh.onnx"))
+        result = infer(Path(folder, "tanh.onnx"))
         inputs = np.arange(8, dtype=np.float32).reshape(2, 4) / 10
-        wanted = np.tanh(inputs @ np.asarray(model.WEIGHTS, np.float32) + np.asarray(model.BIAS, np.float32))
-        assert np.abs(found - wanted).max() < 1e-5, (found, wanted)
+        expected = np.tanh(inputs @ np.asarray(model.WEIGHTS, np.float32) + np.asarray(model.BIAS, np.float32))
+        assert np.abs(result - expected).max() < 1e-5, (result, expected)
         assert abs(infer(Path(folder, "mean.onnx")).item() - 0.15) < 1e-6
     print(f"onnxruntime {ort.__version__}: right")
 

@@ -19,11 +19,11 @@ BIAS = [0.25, -0.5, 1.0]
 
 def number(value: int) -> bytes:
     """A number as protobuf has it, in groups of seven bits."""
-    found = bytearray()
+    encoded = bytearray()
     while value > 127:
-        found.append(value & 127 | 128)
+        encoded.append(value & 127 | 128)
         value >>= 7
-    return bytes([*found, value])
+    return bytes([*encoded, value])
 
 
 def field(key: int, value: int | str | bytes) -> bytes:

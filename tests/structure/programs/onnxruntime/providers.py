@@ -25,13 +25,13 @@ for library in capi.glob("libonnxruntime*"):
     assert library.resolve() == (system / library.name).resolve(), library
 wrong = []
 for folder in (capi, system) if cuda else ():
-    said = subprocess.run(
+    done = subprocess.run(
         ["ldd", "-r", folder / "libonnxruntime_providers_cuda.so"],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,
     )
-    wrong += [line.strip() for line in said.stdout.splitlines() if re.search("not found|undefined", line)]
+    wrong += [line.strip() for line in done.stdout.splitlines() if re.search("not found|undefined", line)]
 # Provider_GetHost is in a library of ONNX Runtime's that the process has loaded before.
 expected = re.compile(r"libcuda\.so\.1 => not found|undefined symbol: (cu[A-Z]\w*|Provider_GetHost)\b.*")
 if wrong := [line for line in wrong if not expected.fullmatch(line)]:

@@ -49,8 +49,8 @@ def main() -> None:
         ("Python without the variables", IMPORTS, bare, False),
         ("C++ without the variables", CREATES, bare, can),
     ):
-        found = written(program, environment)
-        assert bool(found) == expected, f"{title} made {found}"
+        files = written(program, environment)
+        assert bool(files) == expected, f"{title} made {files}"
     print("it sends what a program does unless a variable says no: it says no" if can else "it sends nothing")
 
 

@@ -19,16 +19,16 @@ def sums(names: list[str], data: Any) -> dict[str, float]:
     import numpy as np
 
     numbers = np.asarray(data, np.float32)
-    found = {"numpy": float(numbers.sum())}
+    sums = {"numpy": float(numbers.sum())}
     if "torch" in names:
         import torch
 
-        found["torch"] = float(torch.from_numpy(numbers.copy()) @ torch.ones(len(numbers)))
+        sums["torch"] = float(torch.from_numpy(numbers.copy()) @ torch.ones(len(numbers)))
     if "tensorflow" in names:
         import tensorflow as tf
 
-        found["tensorflow"] = float(tf.tensordot(tf.constant(numbers), tf.ones(len(numbers)), 1))
-    return found
+        sums["tensorflow"] = float(tf.tensordot(tf.constant(numbers), tf.ones(len(numbers)), 1))
+    return sums
 
 
 def work(names: list[str]) -> None:

@@ -15,14 +15,14 @@ from typing import Any
 
 def promised(package: str) -> str | None:
     """The version that the matrix promises of a package; none where there is to be none."""
-    wanted = os.environ.get(f"EXPECT_{package.upper()}")
+    expected = os.environ.get(f"EXPECT_{package.upper()}")
     try:
-        found = metadata.version(package).partition("+")[0]
+        version = metadata.version(package).partition("+")[0]
     except metadata.PackageNotFoundError:
-        found = None
-    if found != wanted:
-        sys.exit(f"{package} {found}, expected {wanted}")
-    return wanted
+        version = None
+    if version != expected:
+        sys.exit(f"{package} {version}, expected {expected}")
+    return expected
 
 
 def overlap(one: list[float], other: list[float]) -> float:
@@ -59,9 +59,9 @@ def vision(opencv_first: bool) -> None:
     torch.manual_seed(1)
     corners = torch.rand(200, 2) * 100
     boxes, scores = torch.cat([corners, corners + 5 + torch.rand(200, 2) * 30], 1), torch.rand(200)
-    found = torchvision.ops.nms(boxes, scores, 0.4).tolist()
-    assert found == kept(boxes.tolist(), scores.tolist(), 0.4), found
-    assert 0 < len(found) < 200
+    indices = torchvision.ops.nms(boxes, scores, 0.4).tolist()
+    assert indices == kept(boxes.tolist(), scores.tolist(), 0.4), indices
+    assert 0 < len(indices) < 200
 
     ramp = torch.linspace(0, 255, 32).to(torch.uint8)
     picture = torch.stack([ramp.expand(32, 32), ramp.expand(32, 32).T, torch.full((32, 32), 128, dtype=torch.uint8)])

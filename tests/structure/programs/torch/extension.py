@@ -63,11 +63,11 @@ def forked(work: Callable[[], object]) -> Callable[[], str]:
 
     def ended() -> str:
         with open(ours) as stream:
-            said = stream.read()
+            output = stream.read()
         _, status = os.waitpid(child, 0)
         if status:
-            sys.exit(f"the test ended with {status}: {said}")
-        return said.splitlines()[-1]
+            sys.exit(f"the test ended with {status}: {output}")
+        return output.splitlines()[-1]
 
     return ended
 
@@ -103,7 +103,7 @@ def main() -> None:
             os.mkdir(folder)
         with_compiler, cpu, cuda, none = folders
         Path(with_compiler, "nvcc").touch(mode=0o755)
-        found = [forked(partial(find_toolkit, path)) for path in (none, with_compiler)]
+        toolkits = [forked(partial(find_toolkit, path)) for path in (none, with_compiler)]
         built = [forked(partial(build, cpu, "CppExtension"))]
         if torch.version.cuda:
             built.append(forked(partial(build, cuda, "CUDAExtension", CUDA_HOME=CUDA_HOME, CFLAGS="-DCALLS_CUDA")))
@@ -114,8 +114,8 @@ def main() -> None:
         assert torch.allclose(compiled(torch.rand(1000)), torch.ones(1000))
 
         toolkit = "/usr/local/cuda"  # of a part, perhaps
-        assert found[0]() == (toolkit if os.path.exists(f"{toolkit}/bin/nvcc") else "None")
-        assert found[1]() == scratch
+        assert toolkits[0]() == (toolkit if os.path.exists(f"{toolkit}/bin/nvcc") else "None")
+        assert toolkits[1]() == scratch
         assert {ended() for ended in built} == {"42"}
     print("setuptools", setuptools.__version__)
 

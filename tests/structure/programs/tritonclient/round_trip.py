@@ -36,12 +36,12 @@ class Server(service_pb2_grpc.GRPCInferenceServiceServicer):
         return service_pb2.ModelMetadataResponse(name=MODEL, versions=["1"], platform="test", inputs=inputs)
 
     def ModelInfer(self, request: Any, context: Any) -> Any:
-        given = {tensor.name: raw for tensor, raw in zip(request.inputs, request.raw_input_contents)}
+        contents = {tensor.name: raw for tensor, raw in zip(request.inputs, request.raw_input_contents)}
         shapes = {tensor.name: tensor.shape for tensor in request.inputs}
         answer = service_pb2.ModelInferResponse(model_name=request.model_name, model_version="1", id=request.id)
-        words = np.array([word.upper() for word in deserialize_bytes_tensor(given["words"])], dtype=np.object_)
+        words = np.array([word.upper() for word in deserialize_bytes_tensor(contents["words"])], dtype=np.object_)
         for name, kind, raw in (
-            ("x", "FP32", (np.frombuffer(given["x"], np.float32) * 2).tobytes()),
+            ("x", "FP32", (np.frombuffer(contents["x"], np.float32) * 2).tobytes()),
             ("words", "BYTES", serialize_byte_tensor(words).item()),
         ):
             answer.outputs.add(name=name, datatype=kind, shape=shapes[name])
@@ -57,8 +57,8 @@ def main() -> None:
     # A proxy of the machine could not reach this server.
     triton = client.InferenceServerClient(f"127.0.0.1:{port}", channel_args=[("grpc.enable_http_proxy", 0)])
     assert triton.is_server_live(client_timeout=20)
-    found = triton.get_model_metadata(MODEL, client_timeout=20)
-    assert [tensor.name for tensor in found.inputs] == ["x", "words"], found
+    model_facts = triton.get_model_metadata(MODEL, client_timeout=20)
+    assert [tensor.name for tensor in model_facts.inputs] == ["x", "words"], model_facts
     x = np.arange(6, dtype=np.float32).reshape(3, 2)
     words = np.array(["left", "right"], dtype=np.object_)
     inputs = [client.InferInput("x", x.shape, "FP32"), client.InferInput("words", words.shape, "BYTES")]

@@ -44,9 +44,9 @@ class Asker(Node):
         if not self.answer(f"{what}: an answer", self.changes.call_async(request)).success:
             sys.exit(f"{what}: the counter did not")
         self.until(f"{what}: the state can be asked for", self.states.service_is_ready)
-        found = self.answer(f"{what}: the state", self.states.call_async(GetState.Request())).current_state
-        if found.id != state:
-            sys.exit(f"{what}: the counter is '{found.label}'")
+        state_now = self.answer(f"{what}: the state", self.states.call_async(GetState.Request())).current_state
+        if state_now.id != state:
+            sys.exit(f"{what}: the counter is '{state_now.label}'")
 
     def count(self, what):
         """What the action answers to a goal."""
