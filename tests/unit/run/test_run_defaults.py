@@ -415,22 +415,6 @@ def test_the_target_of_a_link_is_what_somebody_allows(option: str, tmp_path: Pat
     assert digests[0] != digests[1] == consent.digest(of_project(here))
 
 
-def test_the_engine_gets_what_somebody_saw(desk: Desk, tmp_path: Path) -> None:
-    (desk.folder / "bags").symlink_to(tmp_path / "root")
-    (desk.folder / "maps").mkdir()
-    file = project(desk, f'{IMAGE}options = ["--no-name", "-v", "./bags:/bags", "-v", "./maps:/maps"]')
-    screen = desk.on_a_terminal(keys=b"y\n")[1].decode().replace("\r", "").splitlines()
-    assert screen[screen.index(f"{file} wants:") + 2 :][:2] == [
-        f"  -v {tmp_path}/root:/bags ({desk.folder}/bags, a link to {tmp_path}/root, outside the project)",
-        f"  -v {desk.folder}/maps:/maps",
-    ]
-    mounts = [word for word in desk.ran if word.startswith(str(tmp_path)) and ":/" in word]
-    assert mounts == [f"{tmp_path}/root:/bags", f"{desk.folder}/maps:/maps"] and question(desk) == ""
-    (desk.folder / "maps").rmdir()
-    (desk.folder / "maps").symlink_to(tmp_path)
-    assert f"{desk.folder}/maps, a link to {tmp_path}, outside the project" in question(desk)
-
-
 @pytest.mark.parametrize(
     "option", ["--env-file", "--label-file", "--authfile", "--cert-dir", "--security-opt=seccomp=", "--runtime=./"]
 )

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import shlex
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -21,8 +20,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli.run.export import KINDS
 from rosml.run import words
 from rosml.run.context import Host
-from rosml.run.exports import compose, description, devcontainer, quadlet
-from rosml.run.words import split
+from rosml.run.exports import compose, description, devcontainer, kubernetes, quadlet
 
 QUIET = ("--no-tz", "--no-it", "--no-user")
 
@@ -112,26 +110,39 @@ def test_networks_and_volumes_are_those_of_the_engine() -> None:
     assert document["volumes"] == {"data": {"name": "data"}, "more": {"name": "more"}}
 
 
-VALUES = {"name": "n78", "gpus": "device=78", "mount": "source=78,target=/x", "cgroupns": "private", "pull": "missing"}
+VALUES = {
+    **dict.fromkeys(("user", "group-add", "stop-timeout", "cpus", "memory", "memory-reservation", "shm-size"), "78"),
+    **dict.fromkeys(("hostname", "runtime", "health-retries"), "78"),
+    **dict.fromkeys(("health-interval", "health-timeout", "health-start-period"), "78s"),
+    **{"name": "n78", "gpus": "8", "mount": "type=bind,source=/78,target=/x", "publish": "78:78", "env": "A=78"},
+    **{"platform": "linux/78", "volume": "/78:/78", "tmpfs": "/78", "add-host": "a:78", "restart": "always"},
+    **{"cgroupns": "private", "pull": "missing"},
+}
+DROPPED = {
+    "compose": (),
+    "devcontainer": (*devcontainer.DROPPED, "entrypoint"),
+    "quadlet": (*quadlet.DROPPED, "restart"),
+    "kubernetes": (*kubernetes.DROPPED, "init", "no-healthcheck", "restart"),
+}
 
 
-@pytest.mark.parametrize("name", sorted(words.table().names))
-def test_no_option_gets_lost(name: str) -> None:
-    """It is in the file, or an error names it; a terminal and an entrypoint are the editor's."""
-    value = VALUES.get(name, "78=9") if name in words.table().values else ""
-    option = f"--{name}={value}" if value else f"--{name}"
-    if name in description.OF_A_CALL:
-        assert service(*QUIET, option, "x") == service(*QUIET, "x")
-        assert container(*QUIET, option, "x") == container(*QUIET, "x")
-        return
-    try:
-        assert service(*QUIET, option, "x") != service(*QUIET, "x")
-        assert ("78" if "78" in value else value) in compose.text(call(*QUIET, option, "x"))
-    except RosmlError as error:
-        assert error.message.startswith(f"--{name}") and error.remedy
-    if name not in ("entrypoint", *devcontainer.DROPPED):
-        assert container(*QUIET, option, "x") != container(*QUIET, "x")
-        assert ("78" if "78" in value else value) in json.dumps(container(*QUIET, option, "x"))
+@pytest.mark.parametrize("kind", KINDS)
+def test_no_option_gets_lost(kind: str) -> None:
+    """It is in the file, or an error names it. Some have no meaning there."""
+    for name in sorted(words.table().names):
+        value = VALUES.get(name, "78=9") if name in words.table().values else ""
+        health = ["--health-cmd=x"] if name.startswith("health-") and name != "health-cmd" else []
+        without = text(*QUIET, *health, "x", kind=kind)
+        try:
+            document = text(*QUIET, *health, f"--{name}={value}" if value else f"--{name}", "x", kind=kind)
+        except RosmlError as error:
+            assert description.SYNONYMS.get(name, name) in error.message or f"-{name[0]} " in error.message, name
+            assert error.remedy and name not in description.OF_A_CALL
+            continue
+        if name in description.OF_A_CALL:
+            assert document == without, name
+        elif name not in DROPPED[kind]:
+            assert document != without and ("78" in document or "78" not in value), name
 
 
 @pytest.mark.parametrize(
@@ -277,20 +288,6 @@ def test_a_service_is_added(desk: Desk) -> None:
     again = desk.call(*options, "pwd")
     assert again.returncode == 125 and "a service arm already, with other content" in again.stderr
     assert file.read_text() == content
-
-
-def test_a_file_has_the_options_of_a_dry_run(desk: Desk) -> None:
-    code, screen = desk.on_a_terminal("--dry-run", "--no-name", "--mws", "--mwd", "-e", "A=b c", "ours", "ls", "-l")
-    done = desk.call("--export=compose", "--mws", "--mwd", "-e", "A=b c", "ours", "ls", "-l")
-    assert (code, done.stderr) == (0, "") and {call[1] for call in desk.calls} == {"info", "image"}
-    line, written = split(shlex.split(screen.decode())[2:], ()), yaml.safe_load(done.stdout)["services"]["dr"]
-    assert [*line.command] == written["command"] and line.image == written["image"]
-    assert dict(x.split("=", 1) for x in line.values("env")) == written["environment"]
-    assert line.value("workdir") == written["working_dir"] == str(desk.folder)
-    targets = [value.rpartition("target=")[2] for value in line.values("mount")]
-    assert targets == [mount["target"] for mount in written["volumes"]]
-    names = {name for option in line.engine for name in option.names}
-    assert names - {"user"} == {"rm", "interactive", "tty", "label", "env", "mount", "workdir"}
 
 
 @pytest.mark.parametrize(

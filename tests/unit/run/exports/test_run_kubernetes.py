@@ -10,9 +10,7 @@ import yaml
 
 from fakes.exports import text
 from rosml.base.errors import RosmlError
-from rosml.run import words
 from rosml.run.context import Health
-from rosml.run.exports import description, kubernetes
 
 RELEASES = ("1.30", "1.37")
 """Releases of Kubernetes whose schemas take the files."""
@@ -114,31 +112,6 @@ def test_an_option_of_the_container(typed: list[str], expected: dict[str, Any]) 
 )  # fmt: skip
 def test_an_option_of_the_pod(typed: list[str], expected: dict[str, Any]) -> None:
     assert pod(*QUIET, *typed, "x") == expected
-
-
-VALUES = {
-    **dict.fromkeys(("user", "group-add", "stop-timeout", "cpus", "memory", "memory-reservation", "shm-size"), "78"),
-    **dict.fromkeys(("hostname", "runtime", "health-retries"), "78"),
-    **dict.fromkeys(("health-interval", "health-timeout", "health-start-period"), "78s"),
-    **{"name": "n78", "gpus": "78", "mount": "type=bind,source=/78,target=/x", "publish": "78:78", "env": "A=78"},
-    **{"platform": "linux/78", "volume": "/78:/78", "tmpfs": "/78", "add-host": "a:78", "restart": "always"},
-}
-
-
-@pytest.mark.parametrize("name", sorted(words.table().names - {*description.OF_A_CALL}))
-def test_no_option_gets_lost(name: str) -> None:
-    """It is in the file, or an error names it."""
-    value = VALUES.get(name, "78=9") if name in words.table().values else ""
-    option = f"--{name}={value}" if value else f"--{name}"
-    health = [] if name == "health-cmd" or not name.startswith("health-") else ["--health-cmd=x"]
-    try:
-        document = text(*QUIET, *health, option, "x", kind="kubernetes")
-    except RosmlError as error:
-        assert description.SYNONYMS.get(name, name) in error.message or f"-{name[0]} " in error.message, error.message
-        assert error.remedy and error.exit_code == 2
-        return
-    quiet = (*kubernetes.DROPPED, "init", "no-healthcheck", "restart")
-    assert name in quiet or document != text(*QUIET, *health, "x", kind="kubernetes")
 
 
 @pytest.mark.parametrize(

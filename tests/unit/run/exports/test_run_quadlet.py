@@ -16,9 +16,7 @@ from conftest import ROOT
 from fakes import units
 from fakes.exports import ME, PODMAN, text
 from rosml.base.errors import RosmlError
-from rosml.run import words
 from rosml.run.context import Engine
-from rosml.run.exports import description, quadlet
 from tests.pages import blocks, commands
 
 QUIET = ("--no-tz", "--no-user")
@@ -111,20 +109,6 @@ def test_the_image_has_the_name_that_the_engine_means(engine: Engine, image: str
 def test_what_systemd_does(typed: list[str], expected: dict[str, str]) -> None:
     written = keys(*typed, "x")
     assert written.items() >= expected.items() and ("TimeoutStopSec" in written) == ("TimeoutStopSec" in expected)
-
-
-@pytest.mark.parametrize("name", sorted(words.table().names - {*description.OF_A_CALL, *quadlet.DROPPED, "restart"}))
-def test_no_option_gets_lost(name: str) -> None:
-    """podman gets it with its whole value, or an error names it."""
-    values = {"name": "n78", "gpus": "device=78", "mount": "type=tmpfs,target=/a b/%h"}
-    value = values.get(name, "78=%h $HOME") if name in words.table().values else ""
-    try:
-        podman_options = options(f"--{name}={value}" if value else f"--{name}")
-    except RosmlError as error:
-        assert error.message.startswith(f"--{name} ") and error.remedy
-        assert name in (*quadlet.OF_DOCKER, *quadlet.OF_THE_GENERATOR)
-        return
-    assert any(value.replace("device=", "gpu=") in word for word in podman_options) and podman_options, podman_options
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import yaml
 
 from fakes.desks import OURS, Desk
 from fakes.run_machines import Machine
@@ -398,15 +397,3 @@ def test_what_cannot_be_checked(desk: Desk, words: list[str], says: str) -> None
     done = desk.call("--check", *words)
     assert (done.returncode, done.stdout) == (125, "") and f"error: {says}" in done.stderr
     assert not desk.called("run") and not desk.called("pull")
-
-
-def test_settings_and_network_reach_the_engine_and_exports(desk: Desk) -> None:
-    """Typed options come after those of this machine, so that they count."""
-    desk.engine(images={"ros": ["ROS_DISTRO=jazzy"]})
-    done = desk.call("--no-tz", "--ros-network", "-e", "ROS_DOMAIN_ID=9", "ros", "ls", ROS_DOMAIN_ID="7")
-    assert (done.returncode, done.stderr) == (0, "")
-    assert desk.ran[-10:] == [*SHARED, "-e", "ROS_DOMAIN_ID=7", "-e", "ROS_DOMAIN_ID=9", "ros", "ls"]
-    done = desk.call("--export=compose", "--ros-network", "ros", ROS_DOMAIN_ID="7")
-    (service,) = yaml.safe_load(done.stdout)["services"].values()
-    assert (service["network_mode"], service["ipc"], service["environment"]["ROS_DOMAIN_ID"]) == ("host", "host", "7")
-    assert desk.call("--network=host", "ros").stderr.startswith("warning: --network host without its shared memory: ")
