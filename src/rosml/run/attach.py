@@ -12,7 +12,6 @@ from rosml.run.plugins.basic_options import COMPONENT_LABEL, FOLDER_LABEL, strea
 from rosml.run.plugins.places import ROS_NETWORK
 from rosml.run.words import Line
 
-HERE = "."
 ENTRYPOINT = "/entrypoint.sh"
 """The script that makes the user in our images, and sources ROS (docs/contract.md)."""
 

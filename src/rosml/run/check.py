@@ -21,10 +21,8 @@ RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
 
 MIB = 1024 * 1024
 SMALL_MEMORY = 64 * MIB
-RECEIVED, FRAGMENTS, SECONDS = (
-    "/proc/sys/net/core/rmem_max",
-    *(f"/proc/sys/net/ipv4/ipfrag_{name}" for name in ("high_thresh", "time")),
-)
+RECEIVED = "/proc/sys/net/core/rmem_max"
+FRAGMENTS, SECONDS = "/proc/sys/net/ipv4/ipfrag_high_thresh", "/proc/sys/net/ipv4/ipfrag_time"
 """The kernel's limits for receive buffers and for fragments of packets (docs.ros.org, DDS tuning information)."""
 
 UP, LOOPBACK, MULTICAST = 0x1, 0x8, 0x1000

@@ -39,15 +39,12 @@ def questionable(line: Line, trusted: bool, leads: Sequence[Lead] = (), folder: 
     `folder` is the project's."""
     image = [f"image {shlex.quote(line.image)}"] if line.image else []
     command = [f"command {shlex.join(line.command)}"] if line.command else []
-    own_words = [word for word in line.rosml if word not in HARMLESS or not trusted]
-    options = [option for option in line.engine if not (trusted and _is_harmless(option))]
-    return [*image, *command, *own_words, *(_shown(option, leads, folder) for option in options)]
-
-
-def _shown(option: TypedOption, leads: Sequence[Lead], folder: str) -> str:
-    """Options of the engine, with the links in their paths."""
-    links = "; ".join(filter(None, (lead.shown(folder) for lead in leads if lead.words == option.words)))
-    return shlex.join(option.words) + (f" ({links})" if links else "")
+    items = [*image, *command, *(word for word in line.rosml if word not in HARMLESS or not trusted)]
+    for option in line.engine:
+        if not (trusted and _is_harmless(option)):
+            links = "; ".join(filter(None, (lead.shown(folder) for lead in leads if lead.words == option.words)))
+            items.append(shlex.join(option.words) + (f" ({links})" if links else ""))
+    return items
 
 
 def _is_harmless(option: TypedOption) -> bool:

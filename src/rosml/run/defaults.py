@@ -10,13 +10,10 @@ from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
 from rosml.run import paths
-from rosml.run.words import Line, TypedOption, split
+from rosml.run.words import HERE, Line, TypedOption, split
 
 PERSON = "rosml/run.toml"
 PROJECT = ".rosml.toml"
-HERE = "."
-"""The word for the image that a file names."""
-
 KEYS = {
     "image": '"ghcr.io/me/rosml/ros:jazzy-base"',
     "options": '["--mws", "-e", "ROS_DOMAIN_ID=7"]',

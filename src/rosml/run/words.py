@@ -44,6 +44,8 @@ NOT_OF_RUN = {
 """Remedies for options that the engines, rosml or a similar tool have at another place."""
 
 MOST_OPTIONS = 10_000
+HERE = "."
+"""The word for the image that a file names, and for the container of this folder."""
 
 LETTERS = ("-it", "-ti", "-v", "-e", "-p")
 """Options of the engines with one letter that people write most. Others, such as -l, are often those of a program."""

@@ -8,7 +8,7 @@ import click
 
 from rosml.base.errors import RosmlError
 from rosml.cli.run import container
-from rosml.run import attach, engine, host, words
+from rosml.run import engine, host, words
 
 
 @click.command(
@@ -38,7 +38,7 @@ def main(context: click.Context, /) -> None:
       rosml attach robot htop
     """
     line: words.Line = context.meta[container.LINE]
-    if line.image in ("", attach.HERE):
+    if line.image in ("", words.HERE):
         container.enter_folder(line, "rosml attach")
         return
     program = engine.program(os.environ)

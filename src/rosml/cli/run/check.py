@@ -35,15 +35,12 @@ def show(context: Context, argv: Sequence[str], *, into: bool) -> None:
     findings = check.findings(context, place, others, [name for name in installed if name != "rmw_implementation"])
     with printing():
         if context.line.asks("json"):
-            terminal.echo(json.dumps([*map(_json, findings)], indent=2))
+            rows = [{"what": x.subject, "state": x.state, "found": x.fact, "remedy": x.remedy} for x in findings]
+            terminal.echo(json.dumps(rows, indent=2))
         else:
             print_findings(findings)
     if any(finding.state == check.PROBLEM for finding in findings):
         raise click.exceptions.Exit(1)
-
-
-def _json(finding: check.Finding) -> dict[str, str]:
-    return {"what": finding.subject, "state": finding.state, "found": finding.fact, "remedy": finding.remedy}
 
 
 def print_findings(findings: Sequence[check.Finding]) -> None:

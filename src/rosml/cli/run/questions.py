@@ -30,7 +30,7 @@ def allow(typed: words.Line, file: defaults.File | None) -> bool:
     from rosml.run import consent
 
     trusted = defaults.is_own(file.owner, os.environ)
-    used = file.line if typed.image in ("", defaults.HERE) else replace(file.line, image="", command=())
+    used = file.line if typed.image in ("", words.HERE) else replace(file.line, image="", command=())
     if not consent.questionable(used, trusted):
         return True
     place, digest = consent.memory(os.environ), consent.digest(file)

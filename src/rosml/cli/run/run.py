@@ -16,13 +16,13 @@ from rosml.cli import command
 from rosml.cli.run import container, questions
 from rosml.run import attach, defaults, engine, host, variants
 from rosml.run.context import Context, Person
-from rosml.run.defaults import HERE, Files
+from rosml.run.defaults import Files
 from rosml.run.engine import Facts
 from rosml.run.plan import Plan, make_plan
 from rosml.run.plugin import Plugin
 from rosml.run.plugins import basic_options, gpu
 from rosml.run.plugins.discovery import Discovery, discover
-from rosml.run.words import Line
+from rosml.run.words import HERE, Line
 
 RESERVED = ("new", "no-defaults", questions.TRUST, "check", "verbose", "dry-run", "json", "export", "add", "help")
 """The command's own options: no plugin may have one of these names, and no file with defaults may set one."""
