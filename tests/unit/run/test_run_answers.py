@@ -121,8 +121,9 @@ def test_containers_that_cannot_be_read(desk: Desk, command: str, answer: str, w
 @pytest.mark.parametrize(
     ("healthcheck", "readable"),
     [
-        *((value, True) for value in (None, {}, {"Test": []}, {"Test": ["NONE"]}, {"Test": ["CMD-SHELL"]})),
-        *((value, False) for value in ({"Test": "CMD x"}, {"Test": [1]}, ["CMD"])),
+        (None, True),
+        *(({"Test": test}, True) for test in ([], ["NONE"], ["CMD-SHELL"])),
+        *(({"Test": test}, False) for test in ("CMD x", [1])),
         *(({"Test": ["CMD", "x"], **more}, False) for more in ({"Retries": "3"}, {"Interval": -1}, {"Timeout": 2**64})),
     ],
 )
