@@ -214,15 +214,13 @@ def main() -> int:
         for name, probe in probes():
             began = time.perf_counter()
             try:
-                passed, outcome = True, probe()
+                passed, text = True, probe()
             except Exception as error:
-                passed, outcome = False, str(error) or traceback.format_exc()
+                passed, text = False, str(error) or traceback.format_exc()
             seconds = round(time.perf_counter() - began, 2)
-            outcomes.append(
-                {"framework": framework, "probe": name, "passed": passed, "seconds": seconds, "said": outcome}
-            )
+            outcomes.append({"framework": framework, "probe": name, "passed": passed, "seconds": seconds, "said": text})
             if not as_json:
-                print(f"{'ok' if passed else 'FAILED':7}{framework}: {name}: {outcome} ({seconds} s)", flush=True)
+                print(f"{'ok' if passed else 'FAILED':7}{framework}: {name}: {text} ({seconds} s)", flush=True)
             if not passed and name == "device":
                 break  # nothing else can work
     if as_json:
