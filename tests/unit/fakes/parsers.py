@@ -580,9 +580,7 @@ def words_of(document: bytes, folder: Path) -> object:
     )
     argv = ["docker", "run", *(word for option in line.engine for word in option.words), "ros:jazzy"]
     findings = check.findings(context, places.planned(context, argv), [], ())
-    placed = [
-        (defaults.without(option, line.engine[:1]), paths.anchored(option, "/x")) for option in line.engine
-    ]
+    placed = [(defaults.without(option, line.engine[:1]), paths.anchored(option, "/x")) for option in line.engine]
     for write in (kubernetes.text, quadlet.text, devcontainer.text):
         with contextlib.suppress(RosmlError):
             write(describe(context, argv))

@@ -97,7 +97,10 @@ def _require_own(args: Sequence[str], own_options: Collection[str]) -> None:
 @click.option("--build", is_flag=True, help="make the image again, with the newest base image and .repos")
 @click.option("--no-defaults", is_flag=True, expose_value=False, help="read neither .rosml.toml nor your own run.toml")
 @click.option(
-    f"--{questions.TRUST}", is_flag=True, expose_value=False, help="from now on, let images of this folder start as root"
+    f"--{questions.TRUST}",
+    is_flag=True,
+    expose_value=False,
+    help="from now on, let images of this folder start as root",
 )
 @container.showing
 @click.argument("folder", default=".")
