@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import email.utils
 import functools
+import logging
 import os
 import socket
 import ssl
@@ -22,6 +23,10 @@ import httpx
 
 from rosml.base import units
 from rosml.base.errors import RosmlError
+
+# Both log addresses and headers, with passwords of mirrors and signatures of storage. Who turns logging on must not get them.
+for _library in ("httpx", "httpcore"):
+    logging.getLogger(_library).setLevel(logging.WARNING)
 
 PROXIES = ("HTTPS_PROXY", "https_proxy", "HTTP_PROXY", "http_proxy", "ALL_PROXY", "all_proxy")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import time
 import tracemalloc
 from collections.abc import Iterator
@@ -68,6 +69,14 @@ def test_a_release_file_is_read_up_to_its_limit(server: Hostile, answer: Answer)
         assert tracemalloc.get_traced_memory()[1] < MEMORY
     finally:
         tracemalloc.stop()
+
+
+def test_no_log_line_has_a_password(server: Hostile, caplog: pytest.LogCaptureFixture) -> None:
+    """The libraries below log whole addresses, and headers of answers."""
+    caplog.set_level(logging.DEBUG)
+    server.answers = {"/x": reply(302, headers={"Location": "/y?signature=s3cret"}), "/y": reply(200, b"Suite: stable")}
+    release_file.read(f"http://me:s3cret@{server.address}/x", 1000, "MIRROR")
+    assert len(server.requests) == 2 and "s3cret" not in caplog.text
 
 
 def test_the_local_registry(server: Hostile, tmp_path: Path) -> None:
