@@ -29,7 +29,7 @@ from rosml.images.publish.prune import Pruner
 from rosml.images.publish.shards import Shard, Work, deal
 from rosml.images.publish.steps import join
 from rosml.machine.setup import builder_cache
-from rosml.registry import failures
+from rosml.registry import retries
 
 USUAL, MOVED, LOCKS = WAYS = ("usual", "here", "here, with new locks")
 """In all nights the packages of all distributions have changed. In the last one all locks have, so that all parts are built."""
@@ -266,7 +266,7 @@ class Night:
         yield max(seconds / self.load.speed, (reads + writes) * fact("seconds of a request"))
 
     def _ask(self, kind: str, count: int) -> Process:
-        """Requests. One that is refused is sent again after a pause, as `failures.pause` has it."""
+        """Requests. One that is refused is sent again after a pause, as `retries.pause` has it."""
         attempt = 0
         while count:
             granted = self._buckets[kind].take(self.now, count)
@@ -275,11 +275,11 @@ class Night:
             if count:
                 self.refused += 1
                 attempt = 1 if granted else attempt + 1
-                if attempt >= failures.ATTEMPTS:
+                if attempt >= retries.ATTEMPTS:
                     self.failed += 1
                     return
-                pause = failures.WAIT * 2 ** (attempt - 1) + self._random.uniform(0, failures.WAIT)
-                yield min(pause, failures.LONGEST_WAIT)
+                pause = retries.WAIT * 2 ** (attempt - 1) + self._random.uniform(0, retries.WAIT)
+                yield min(pause, retries.LONGEST_WAIT)
 
     # ---- Machines
 

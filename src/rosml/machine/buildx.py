@@ -22,7 +22,7 @@ from rosml.base.problems import listed
 from rosml.machine import trust
 from rosml.machine.progress import TAIL_LINES, BuildProgress, Step
 from rosml.machine.services import Services
-from rosml.registry import credentials, failures, references
+from rosml.registry import credentials, failures, references, retries
 from rosml.registry.client import Registry
 
 _LOGIN = "docker login, with an account that may push there; then run it again"
@@ -228,7 +228,7 @@ def run_all(services: Services, bake: Bake) -> tuple[BuildProgress, dict[str, di
     one holds their common steps, it runs steps again whose results are in the cache (https://github.com/moby/buildkit/issues/4674).
 
     BuildKit sends a request once, or four times within seconds if the registry is broken. A busy registry needs longer. So we repeat
-    such a build, which keeps its finished steps, as often as our own client repeats a request (`registry/failures.py`).
+    such a build, which keeps its finished steps, as often as our own client repeats a request (`registry/retries.py`).
     """
     attempt = 0
     while True:
@@ -252,11 +252,11 @@ def _pause(services: Services, error: Unanswered, attempt: int) -> float | None:
     status = int(error.answer[:3]) if error.answer[:3].isdecimal() else 0
     transient = failures.Transient(error.answer)
     if status in web.BUSY:
-        return failures.pause(transient, attempt)
+        return retries.pause(transient, attempt)
     if not error.push_target or status not in (0, 403, 404, 409):
         return None
     if status in (404, 409):
-        return failures.pause(failures.Refused(error), attempt)
+        return retries.pause(failures.Refused(error), attempt)
     if status == 403:  # if our own client may push, the registry was making the repository
         try:
             place = references.parse(error.push_target)
@@ -264,7 +264,7 @@ def _pause(services: Services, error: Unanswered, attempt: int) -> float | None:
                 client.may_push(place.repository)
         except RosmlError:
             return None
-    return failures.pause(transient, attempt, reached=bool(status))
+    return retries.pause(transient, attempt, reached=bool(status))
 
 
 def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[BuildProgress, dict[str, dict[str, str]]]:

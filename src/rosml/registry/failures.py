@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import random
 import re
 from collections.abc import Iterator
 
@@ -11,24 +10,6 @@ import httpx
 
 from rosml.base import web
 from rosml.base.errors import RosmlError
-
-ATTEMPTS = 7
-"""How often a request is sent, in about half a minute."""
-
-ATTEMPTS_UNREACHED = 3
-"""The same, if the registry never answered, so that a wrong name fails soon."""
-
-ATTEMPTS_REFUSED = 5
-"""The same, if the registry refuses a request that it may accept later, in about eight seconds."""
-
-ATTEMPTS_LIMITED = 2
-"""The same, if the registry's first answer is that there were too many requests."""
-
-WAIT, LONGEST_WAIT = 0.5, 30.0
-"""Seconds before the second attempt, which double with each further one; and the most that a registry may ask for."""
-
-TOO_LONG = 120.0
-"""If a registry asks for a longer wait because of too many requests, nobody waits."""
 
 
 class Busy(RosmlError):
@@ -40,27 +21,21 @@ class Immutable(RosmlError):
 
 
 class Transient(Exception):
-    """A failure that may pass.
-
-    Attributes:
-        after: seconds that the registry asks to wait.
-        connected: a server accepted the connection.
-        final: the kind of error if it does not pass.
-    """
+    """A failure that may pass."""
 
     def __init__(
-        self, message: str, after: float = 0.0, connected: bool = True, final: type[RosmlError] = RosmlError
+        self,
+        message: str,
+        after: float = 0.0,  # seconds that the registry asks to wait
+        connected: bool = True,  # a server accepted the connection
+        final: type[RosmlError] = RosmlError,  # the error if it does not pass
     ) -> None:
         super().__init__(message)
-        self.after = after
-        self.connected = connected
-        self.final = final
+        self.after, self.connected, self.final = after, connected, final
 
 
 class Refused(Transient):
-    """The registry refused what it may accept later: another machine is creating the repository, or a part of the registry
-    does not know a new blob yet. `error` is the error if it does not pass.
-    """
+    """The registry refused what it may accept later: another machine creates the repository, or a new blob is not yet known everywhere."""
 
     def __init__(self, error: RosmlError) -> None:
         super().__init__(error.message)
@@ -72,29 +47,15 @@ class Denied(Refused):
 
 
 class Limited(Transient):
-    """The registry answered 429: an account, or an address without one, has asked too often.
-
-    `from_the_first`: it answered nothing else until now, so the limit is no matter of seconds.
-    """
+    """The registry answered 429: an account, or an address without one, has asked too often."""
 
     def __init__(self, message: str, after: float, from_the_first: bool) -> None:
         super().__init__(message, after, final=Busy)
-        self.from_the_first = from_the_first
+        self.from_the_first = from_the_first  # it answered nothing else until now, so the limit is no matter of seconds
 
 
 class Untrusted(Transient):
     """Another attempt does not help."""
-
-
-def pause(error: Transient, attempt: int, reached: bool = True) -> float | None:
-    """Seconds to wait before a request is sent again; None if it was sent often enough. `reached`: the registry ever answered."""
-    most = ATTEMPTS_REFUSED if isinstance(error, Refused) else ATTEMPTS if reached else ATTEMPTS_UNREACHED
-    if isinstance(error, Limited) and error.from_the_first:
-        most = ATTEMPTS_LIMITED
-    if attempt >= most or (isinstance(error, Limited) and error.after > TOO_LONG):
-        return None
-    backoff: float = WAIT * 2 ** (attempt - 1) + random.uniform(0, WAIT)
-    return min(max(backoff, error.after), LONGEST_WAIT)
 
 
 @contextlib.contextmanager

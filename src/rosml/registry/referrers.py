@@ -14,7 +14,7 @@ from pydantic import ValidationError
 
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
-from rosml.registry import documents, failures, oci
+from rosml.registry import documents, oci, retries
 from rosml.registry.blobs import Blobs
 from rosml.registry.failures import Busy
 from rosml.registry.manifests import Manifests
@@ -134,7 +134,7 @@ class Referrers(Manifests, Blobs):
         with self._lock:
             turn = self._attaching[f"{repository}:{tag}"]
         with turn:
-            for _ in range(failures.ATTEMPTS):
+            for _ in range(retries.ATTEMPTS):
                 digest, entries = self._listed(repository, tag)
                 if _lists(entries, entry):
                     return
@@ -143,7 +143,7 @@ class Referrers(Manifests, Blobs):
                     self.put_manifest(repository, tag, content, oci.INDEX)
                     if _lists(self._listed(repository, tag)[1], entry):
                         return
-                time.sleep(random.uniform(0, failures.WAIT))
+                time.sleep(random.uniform(0, retries.WAIT))
         raise RosmlError(f"others keep writing {self.host}/{repository}:{tag}", "run it again")
 
     def _listed(self, repository: str, tag: str) -> tuple[str, list[Any]]:

@@ -20,7 +20,7 @@ import httpx
 from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.base.shapes import Shape
-from rosml.registry import answers, certificates, failures, login
+from rosml.registry import answers, certificates, login, retries
 from rosml.registry.answers import Answer, codes, reason
 from rosml.registry.credentials import DOCKER_HUB, Credentials
 from rosml.registry.failures import (
@@ -52,8 +52,6 @@ _IMMUTABLE = re.compile(r"\bimmutable\b|cannot be overwritten", re.IGNORECASE)
 
 _UNKNOWN = {"BLOB_UNKNOWN", "MANIFEST_BLOB_UNKNOWN", "MANIFEST_UNKNOWN"}
 
-# httpx logs whole addresses, and the addresses of a registry's storage contain signatures.
-logging.getLogger("httpx").setLevel(logging.WARNING)
 _LOG = logging.getLogger(__name__)
 
 T = TypeVar("T")
@@ -66,9 +64,7 @@ def scope(repository: str, actions: str) -> str:
 
 @dataclass(frozen=True)
 class Call:
-    """A request to a path below `/v2/`. It may need `more_scopes`; statuses in `allow` are no failure, as those of success; `limit` is
-    the largest body of a success, in bytes.
-    """
+    """A request to a path below `/v2/`."""
 
     method: str
     path: str
@@ -77,8 +73,8 @@ class Call:
     headers: Mapping[str, str] = field(default_factory=dict)
     content: bytes | Iterator[bytes] | None = None
     more_scopes: tuple[str, ...] = ()
-    allow: Container[int] = ()
-    limit: int = answers.JSON_BYTES
+    allow: Container[int] = ()  # statuses that are no failure, as those of success
+    limit: int = answers.JSON_BYTES  # the largest body of a success
 
     @property
     def scopes(self) -> frozenset[str]:
@@ -86,13 +82,7 @@ class Call:
 
 
 class Transport:
-    """The connections to one registry. Safe to share among threads.
-
-    Attributes:
-        base: the address of the registry's root.
-        uploaded: bytes of bodies sent so far, including failed attempts.
-        existing: repositories that have, or had, a manifest.
-    """
+    """The connections to one registry. Safe to share among threads."""
 
     def __init__(
         self, host: str, plain: bool | None, ca_bundle: str, credentials: Callable[[str], Credentials | None]
@@ -110,8 +100,8 @@ class Transport:
             trust_env=not local,  # a proxy could not reach this machine
         )
         self.login = login.Login(host, self.base, self.client, credentials)
-        self.uploaded = 0
-        self.existing: set[str] = set()
+        self.uploaded = 0  # bytes of bodies sent so far, including failed attempts
+        self.existing: set[str] = set()  # repositories that have, or had, a manifest
         self._lock = threading.Lock()  # guards the state of this object; never held during a request
         self._sent = threading.local()
         self._reached = False
@@ -120,6 +110,7 @@ class Transport:
 
     @property
     def sent_by_this_thread(self) -> int:
+        """As `uploaded`, of this thread alone."""
         return int(getattr(self._sent, "bytes", 0))
 
     # ---- Calls -------------------------------------------------------------------------------------------------------
@@ -131,10 +122,9 @@ class Transport:
     def look(self, call: Call) -> Answer | None:
         """Sends a request for something that may be missing; None if it is.
 
-        ghcr.io may deny access to a repository that does not exist yet. If it denies a known account, the content
-        counts as missing, and a warning says so. A later push shows whether the account lacks a right. This does not
-        hold for a repository with a manifest that this client read or put: such a repository exists, and a wrong
-        "missing" would move a tag without a record of where it was.
+        ghcr.io may deny access to a repository that does not exist yet. If it denies a known account, the content counts as missing, with
+        a warning; a later push shows whether the account lacks a right. In a repository with a manifest that this client read or put, a
+        denial is an error: a wrong "missing" would move a tag without a record of where it was.
         """
 
         def once() -> Answer | None:
@@ -143,7 +133,10 @@ class Transport:
             except Denied as denied:
                 if call.repository in self.existing:
                     raise
-                self._warn(denied)
+                with self._lock:
+                    warned, self._warned = self._warned, True
+                if not warned:
+                    _LOG.warning("%s: taken for a repository that does not exist yet; this warning comes once", denied)
                 return None
 
         answer = self.retried(once)
@@ -152,12 +145,6 @@ class Transport:
         if not call.path.startswith(f"{call.repository}/blobs/"):  # a blob may come before the repository exists
             self.existing.add(call.repository)
         return answer
-
-    def _warn(self, denied: Denied) -> None:
-        with self._lock:
-            warned, self._warned = self._warned, True
-        if not warned:
-            _LOG.warning("%s: taken for a repository that does not exist yet; this warning comes once", denied)
 
     def pages(self, path: str, repository: str, shape: type[Shape]) -> Iterator[dict[str, Any]]:
         """All pages of a list; none if the registry has no such list."""
@@ -204,7 +191,7 @@ class Transport:
             except Transient as error:
                 attempt += 1
                 self._reached = self._reached or error.connected
-                seconds = failures.pause(error, attempt, self._reached)
+                seconds = retries.pause(error, attempt, self._reached)
                 if seconds is None:
                     raise self._final(error) from None
                 time.sleep(seconds)
@@ -268,17 +255,13 @@ class Transport:
             raise RosmlError(f"{self.host}: {path!r} is no address", "check the reference that leads there") from None
 
     def _exchange(self, request: httpx.Request, scopes: frozenset[str], refused: str) -> tuple[httpx.Response, str]:
-        """Sends a request with credentials. Gives the answer, and the header `Authorization` that it sent.
-
-        For a blob, redirects to any host are followed; for other requests, only within the registry, because another
-        host would answer that a manifest is missing.
-        """
+        """Sends a request with credentials. Gives the answer, and the header `Authorization` that it sent."""
         header = self.login.header(request.url, scopes, refused)
         request.headers.pop("authorization", None)
         if header:
             request.headers["Authorization"] = header
         with http_errors(request.method, request.url):
-            is_blob = request.url.path.rpartition("/")[0].endswith("/blobs")
+            is_blob = request.url.path.rpartition("/")[0].endswith("/blobs")  # another host would miss any manifest
             answer = web.followed(self.client, request, elsewhere=is_blob)
         size = int(request.headers.get("content-length", 0))
         with self._lock:

@@ -25,7 +25,7 @@ from rosml.images.builds import base_images, package_state
 from rosml.images.image_set import load
 from rosml.images.publish.steps.build import build
 from rosml.machine.services import Services
-from rosml.registry import failures
+from rosml.registry import retries
 
 REAL = load.load(ROOT / "matrix.yaml")
 PUBLISHED = "ros1-bookworm-core*"
@@ -128,7 +128,7 @@ def around(shop: Shop, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(package_state, "state", lambda *_: "monday")
     monkeypatch.setattr(package_state, "lacking", lambda *_: [])
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
-    monkeypatch.setattr(failures, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
     monkeypatch.setattr("signal.signal", lambda *_: None)
     monkeypatch.setenv("ROSML_DOCKER_HUB", "0")
     stubs.executable(shop.root / "uv", "exit 1")

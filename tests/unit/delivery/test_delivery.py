@@ -43,7 +43,7 @@ from fakes.http_registry import DROP, standing_in
 from rosml.cli import command, main
 from rosml.delivery import archive, delta
 from rosml.images.join.layers import Source
-from rosml.registry import failures, oci
+from rosml.registry import oci, retries
 
 
 @pytest.fixture
@@ -51,7 +51,7 @@ def shop(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Shop]:
     (tmp_path / "bin").mkdir()
     monkeypatch.setenv("PATH", f"{tmp_path}/bin")
     monkeypatch.delenv("ROSML_ENGINE", raising=False)
-    monkeypatch.setattr(failures, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
     with standing_in() as server:
         yield Shop(server, tmp_path)
 

@@ -14,7 +14,7 @@ from fakes.http_registry import StandIn, standing_in
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import labels
 from rosml.images.join.joiner import Joiner, JoinReport
-from rosml.registry import failures, references
+from rosml.registry import references, retries
 from rosml.registry.client import Registry
 from rosml.registry.oci import Manifest
 from tests.e2e import parts
@@ -88,8 +88,8 @@ class Place:
 
 @contextlib.contextmanager
 def joining(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
-    monkeypatch.setattr(failures, "WAIT", 0.001)
-    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.01)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(folder / "docker"))
     with standing_in() as server:
         place = Place(server)

@@ -29,7 +29,7 @@ from rosml.images.publish.survey import survey
 from rosml.images.records import store, tag_moves
 from rosml.images.scan import sbom
 from rosml.machine.services import Services
-from rosml.registry import failures, oci
+from rosml.registry import oci, retries
 from rosml.registry.client import BLOB_BYTES, Registry
 from rosml.registry.oci import Manifest
 from rosml.registry.place import Place
@@ -432,7 +432,7 @@ def publisher(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch)
 
     monkeypatch.setattr(package_state, "state", state)
     monkeypatch.setattr(package_state, "lacking", lacking)
-    for module in (failures, web):
+    for module in (retries, web):
         monkeypatch.setattr(module, "WAIT", 0.001)
     return place
 

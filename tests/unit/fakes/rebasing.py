@@ -24,7 +24,7 @@ from rosml.images.join import facts
 from rosml.images.join.joiner import Joiner
 from rosml.images.scan import sbom
 from rosml.machine.services import Services
-from rosml.registry import failures, oci, references
+from rosml.registry import oci, references, retries
 from rosml.registry.client import Registries, Registry
 from rosml.registry.oci import Manifest
 from tests.e2e.parts import archive, part, ros
@@ -314,8 +314,8 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
 @contextmanager
 def moving(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
     """A place for a test."""
-    monkeypatch.setattr(failures, "WAIT", 0.001)
-    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.01)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(folder / "docker"))
     with standing_in() as server:
         place = Place(server, folder)

@@ -26,7 +26,7 @@ from rosml.machine import buildx as builder
 from rosml.machine.buildx import Bake
 from rosml.machine.progress import BuildProgress
 from rosml.machine.services import Services
-from rosml.registry import failures
+from rosml.registry import retries
 from rosml.registry.client import Registry
 
 NAME = "[a ros 1/2] RUN --mount=type=secret,id=ca-bundle /run/components/ros/install.sh ros-core"
@@ -389,7 +389,7 @@ def tries(
     tmp_path: Path, registry: str, bake: Bake, monkeypatch: pytest.MonkeyPatch
 ) -> Callable[[str, int], list[str]]:
     """What a build of which the first attempts fail calls; `{}` in the reason is the registry."""
-    monkeypatch.setattr(failures, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
 
     def calling(reason: str, times: int) -> list[str]:
         line = vertex(completed=f"{DAY}12Z", error=reason.replace("{}", registry))
@@ -404,14 +404,14 @@ def tries(
 @pytest.mark.parametrize(
     ("reason", "most"),
     [
-        (PUSH.format("{}", "429 Too Many Requests"), failures.ATTEMPTS),
-        (PUSH.format("{}", "503 Service Unavailable"), failures.ATTEMPTS),
-        (PUSH.format("{}", "404 Not Found"), failures.ATTEMPTS_REFUSED),
+        (PUSH.format("{}", "429 Too Many Requests"), retries.ATTEMPTS),
+        (PUSH.format("{}", "503 Service Unavailable"), retries.ATTEMPTS),
+        (PUSH.format("{}", "404 Not Found"), retries.ATTEMPTS_REFUSED),
         (PUSH.format("{}", "401 Unauthorized"), 1),
         (PUSH.format("{}", "413 Content Too Large"), 1),
-        ("failed to push {}/a: failed to do request: Put http://x: EOF", failures.ATTEMPTS_UNREACHED),
+        ("failed to push {}/a: failed to do request: Put http://x: EOF", retries.ATTEMPTS_UNREACHED),
         ("failed to push {}/a: x509: certificate signed by unknown authority", 1),
-        ("a: unexpected status from HEAD request to https://x: 429 Too Many Requests", failures.ATTEMPTS),
+        ("a: unexpected status from HEAD request to https://x: 429 Too Many Requests", retries.ATTEMPTS),
         ("a: unexpected status from HEAD request to https://x: 403 Forbidden", 1),
         ("process did not complete successfully: exit code: 1", 1),
     ],
@@ -432,7 +432,7 @@ def test_a_result_that_is_there_is_not_built_again(tries: Callable[[str, int], l
     assert "a.no-cache=true" in again
 
 
-@pytest.mark.parametrize(("may", "attempts"), [(True, failures.ATTEMPTS), (False, 1)])
+@pytest.mark.parametrize(("may", "attempts"), [(True, retries.ATTEMPTS), (False, 1)])
 def test_a_push_that_is_denied_is_sent_again_if_the_client_may_push(
     tries: Callable[[str, int], list[str]], monkeypatch: pytest.MonkeyPatch, may: bool, attempts: int
 ) -> None:

@@ -16,7 +16,7 @@ from fakes.http_registry import standing_in
 from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.machine import trust
-from rosml.registry import certificates, failures
+from rosml.registry import certificates, retries
 from rosml.registry.client import Registry
 
 NOW = datetime.datetime.now(datetime.UTC)
@@ -27,7 +27,7 @@ DAY = datetime.timedelta(days=1)
 def docker(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     monkeypatch.setattr(certificates, "SYSTEM", tmp_path / "system")
-    monkeypatch.setattr(failures, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
     return tmp_path / "docker/certs.d"
 
 

@@ -16,7 +16,7 @@ import pytest
 
 from fakes.http_registry import DROP, StandIn, standing_in
 from rosml.base.errors import RosmlError
-from rosml.registry import failures, oci
+from rosml.registry import oci, retries
 from rosml.registry.client import Registry
 from rosml.registry.references import parse
 
@@ -28,8 +28,8 @@ PAGE = b"<html>Sign in to GitHub</html>"
 
 @pytest.fixture(autouse=True)
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(failures, "WAIT", 0.001)
-    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.01)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "LONGEST_WAIT", 0.01)
 
 
 @pytest.fixture
@@ -139,7 +139,7 @@ def test_a_registry_that_deletes_nothing(stand_in: StandIn, registry: Registry) 
 @pytest.mark.parametrize("kind", [400, 403, 404, 405, 503])
 def test_a_registry_that_discards_nothing_is_asked_once(stand_in: StandIn, registry: Registry, kind: int) -> None:
     """404 as well, where the manifest is still in the registry; and once only, if it has no time."""
-    stand_in.fault("DELETE", "/manifests/", kind, failures.ATTEMPTS)
+    stand_in.fault("DELETE", "/manifests/", kind, retries.ATTEMPTS)
     digest = registry.put_manifest("a", "x", MANIFEST)
     for _ in range(2):
         registry.discard("a", digest)
@@ -166,7 +166,7 @@ def test_a_manifest_that_is_redirected_elsewhere_is_not_missing(
         headers = {"Location": f"http://{elsewhere.address}/v2/a/manifests/x?signed=s3cret"}
         stand_in.fault(method, "/manifests/", 307, 2, headers=headers)
         assert ask() == digest, "it passes"
-        stand_in.fault(method, "/manifests/", 307, failures.ATTEMPTS, headers=headers)
+        stand_in.fault(method, "/manifests/", 307, retries.ATTEMPTS, headers=headers)
         with pytest.raises(RosmlError, match=r"a redirect to 127\.0\.0\.1") as caught:
             ask()
         assert "s3cret" not in caught.value.message and "run it again" in caught.value.remedy
@@ -193,7 +193,7 @@ def test_without_the_api_referrers_have_the_fallback_tag(stand_in: StandIn, regi
 
 @pytest.mark.parametrize(
     ("code", "times", "body"),
-    [(303, 1, b""), (404, 1, PAGE), (429, failures.ATTEMPTS, b""), (200, 1, PAGE), (200, 1, b"[]"), (400, 1, b"")],
+    [(303, 1, b""), (404, 1, PAGE), (429, retries.ATTEMPTS, b""), (200, 1, PAGE), (200, 1, b"[]"), (400, 1, b"")],
 )
 def test_an_answer_that_is_no_index_means_that_there_is_no_api(
     stand_in: StandIn, registry: Registry, code: int, times: int, body: bytes
@@ -285,19 +285,19 @@ def test_a_failure_that_stays_is_an_error(stand_in: StandIn, registry: Registry,
     with pytest.raises(RosmlError, match=rf"{stand_in.address}.*/v2/a/manifests/x") as caught:
         registry.manifest("a", "x")
     assert "run it again" in caught.value.remedy
-    assert stand_in.count("manifests") == failures.ATTEMPTS
+    assert stand_in.count("manifests") == retries.ATTEMPTS
 
 
 def test_a_host_without_a_registry_fails_soon(stand_in: StandIn, registry: Registry) -> None:
     with pytest.raises(RosmlError, match=r"127\.0\.0\.1:1: GET .*refused") as caught:
         Registry("127.0.0.1:1").manifest("a", "x")
     assert "check its name" in caught.value.remedy
-    stand_in.fault("GET", "/manifests/", DROP, failures.ATTEMPTS - 1)
+    stand_in.fault("GET", "/manifests/", DROP, retries.ATTEMPTS - 1)
     assert registry.manifest("a", "x") is None, "a connection that drops is no wrong name"
 
 
 def test_retry_after(stand_in: StandIn, registry: Registry, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(failures, "LONGEST_WAIT", 1.2)
+    monkeypatch.setattr(retries, "LONGEST_WAIT", 1.2)
     for header, seconds in (("1", 1.0), ("86400", 1.2), ("Sat, 01 Jan 2050 00:00:00 GMT", 1.2), ("soon", 0.0)):
         stand_in.fault("GET", "/tags/", 503, headers={"Retry-After": header})
         pauses: list[float] = []
@@ -310,10 +310,10 @@ def test_retry_after(stand_in: StandIn, registry: Registry, monkeypatch: pytest.
 @pytest.mark.parametrize(
     ("header", "reached", "requests", "remedy"),
     [
-        ("", False, failures.ATTEMPTS_LIMITED, "wait some minutes"),
+        ("", False, retries.ATTEMPTS_LIMITED, "wait some minutes"),
         ("3600", False, 1, "wait 60 min 0 s, as it asks"),
         ("3600", True, 1, "wait 60 min 0 s, as it asks"),
-        ("", True, failures.ATTEMPTS, "wait some minutes"),
+        ("", True, retries.ATTEMPTS, "wait some minutes"),
     ],
 )
 def test_too_many_requests(
@@ -357,7 +357,7 @@ def test_a_blob_that_a_part_of_the_registry_lacks_for_a_moment(
     before = stand_in.count("^PUT")
     with pytest.raises(RosmlError, match=rf"PUT /v2/a/manifests/x: {code} \(blob unknown to registry\)"):
         registry.put_manifest("a", "x", MANIFEST)
-    assert stand_in.count("^PUT") - before == failures.ATTEMPTS_REFUSED, "it may really be missing"
+    assert stand_in.count("^PUT") - before == retries.ATTEMPTS_REFUSED, "it may really be missing"
 
 
 def test_threads_share_a_registry(stand_in: StandIn, registry: Registry) -> None:

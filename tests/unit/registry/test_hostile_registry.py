@@ -22,7 +22,7 @@ from rosml.base.errors import RosmlError
 from rosml.containerize.base_image import base as app_base
 from rosml.images.builds import contents
 from rosml.images.join import file_lists
-from rosml.registry import failures, oci
+from rosml.registry import oci, retries
 from rosml.registry.client import Registry
 from rosml.registry.credentials import Credentials
 from rosml.registry.documents import Descriptor
@@ -42,8 +42,8 @@ Ask = Callable[[Registry], object]
 
 @pytest.fixture(autouse=True)
 def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(failures, "WAIT", 0.001)
-    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.01)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     monkeypatch.delenv("DOCKER_AUTH_CONFIG", raising=False)
 

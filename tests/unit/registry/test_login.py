@@ -21,7 +21,7 @@ from fakes.hostile import Hostile, hostile, reply
 from fakes.http_registry import DROP, StandIn, standing_in
 from fakes.stubs import executable
 from rosml.base.errors import RosmlError
-from rosml.registry import failures, login, oci
+from rosml.registry import login, oci, retries
 from rosml.registry.client import Registry
 from rosml.registry.credentials import DOCKER_HUB, Credentials, from_docker
 
@@ -33,8 +33,8 @@ MANIFEST = {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": []}
 @pytest.fixture(autouse=True)
 def folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     """Docker's configuration, with a folder of programs in it."""
-    monkeypatch.setattr(failures, "WAIT", 0.001)
-    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.01)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path))
     monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}:/usr/bin:/bin")
     monkeypatch.delenv("DOCKER_AUTH_CONFIG", raising=False)
@@ -275,8 +275,8 @@ def test_a_push_that_is_denied_fails_within_seconds(
 ) -> None:
     registry.head("a", "x")  # the client knows the account
     stand_in.fault(method, path, 403, 1000)
-    monkeypatch.setattr(failures, "WAIT", 0.5)
-    monkeypatch.setattr(failures, "LONGEST_WAIT", 30)
+    monkeypatch.setattr(retries, "WAIT", 0.5)
+    monkeypatch.setattr(retries, "LONGEST_WAIT", 30)
     pauses: list[float] = []
     monkeypatch.setattr(time, "sleep", pauses.append)
     with pytest.raises(RosmlError, match=r"access denied: cannot .* with the account that is logged in .*403"):
@@ -420,7 +420,6 @@ def test_no_message_and_no_log_line_has_a_secret(
     stand_in: StandIn, registry: Registry, caplog: pytest.LogCaptureFixture, bearer: bool
 ) -> None:
     caplog.set_level(logging.DEBUG)
-    logging.getLogger("httpcore").setLevel(logging.INFO)  # which nobody switches on by accident
     stand_in.bearer = bearer
     registry.put_blob("a", b"hello")
     texts = [repr(registry), repr(from_docker(stand_in.address))]

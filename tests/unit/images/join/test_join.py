@@ -23,7 +23,7 @@ from rosml.images.image_set import labels
 from rosml.images.join import facts, file_lists
 from rosml.images.join.joiner import Joiner
 from rosml.images.scan.sbom import MEDIA_TYPE
-from rosml.registry import failures, oci, references
+from rosml.registry import oci, references, retries
 from rosml.registry.client import Registry
 from rosml.registry.references import Reference
 from tests.e2e import parts
@@ -306,7 +306,7 @@ def test_dockers_media_types_become_ocis(place: Place) -> None:
 
 def test_a_connection_that_ends_anywhere_leaves_no_tag(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     """Whichever request is the first without an answer, of every third; and the next call finishes it."""
-    monkeypatch.setattr(failures, "ATTEMPTS", 1)
+    monkeypatch.setattr(retries, "ATTEMPTS", 1)
     images = [place.ros(), *place.stack()]
     digest = place.join(*images).digest
     due = place.server.due

@@ -22,7 +22,7 @@ from rosml.cli.images import publish
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish.plan import make_plan
 from rosml.images.publish.steps import STEPS
-from rosml.registry import failures
+from rosml.registry import retries
 from rosml.registry.client import Registry
 from rosml.registry.credentials import Credentials
 from rosml.registry.place import Place
@@ -34,8 +34,8 @@ UNKNOWN = b'{"errors": [{"code": "MANIFEST_BLOB_UNKNOWN", "message": "blob unkno
 @pytest.fixture(params=["registry", "token"])
 def ghcr(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[StandIn]:
     """The registry, and who denies what does not exist yet."""
-    monkeypatch.setattr(failures, "WAIT", 0.001)
-    monkeypatch.setattr(failures, "LONGEST_WAIT", 0.02)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "LONGEST_WAIT", 0.02)
     with standing_in() as pages, standing_in() as server:
         server.hides, server.users, server.bearer, server.scoped = request.param, {NAME: SECRET}, True, True
         server.expires, server.deletes, server.people = 3.0, False, f"http://{pages.address}/me"
