@@ -39,11 +39,10 @@ def require_no_triggers(settings: Settings | None, name: str) -> None:
 def configs(
     registry: Registry, repository: str, manifest: Manifest, name: str, architectures: Collection[str] = ()
 ) -> list[tuple[Platform | documents.Config, Config]]:
-    """The configs of the images that a builder may take, each with the platform of the index, or the config if there is none.
-
-    An index may list several images for a platform, or leave out what one is for. `name` is the user's name of the image.
-    """
-    images: list[tuple[Platform | documents.Config, Config]] = []
+    """The configs of the images that a builder may take, each with the platform of the index, or the config if there is none."""
+    images: list[
+        tuple[Platform | documents.Config, Config]
+    ] = []  # an index may list several images for a platform, or say none
     if not manifest.is_index:
         config = registry.config(repository, manifest, name)
         images.append((config.facts, config))

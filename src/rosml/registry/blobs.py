@@ -15,10 +15,18 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
 from rosml.registry import documents
 from rosml.registry.answers import Answer
-from rosml.registry.digests import require_digest, verified, verified_blocks
 from rosml.registry.documents import Descriptor
 from rosml.registry.failures import Transient
-from rosml.registry.oci import CONFIG, DOCKER_CONFIG, Config, Manifest, digest_of
+from rosml.registry.oci import (
+    CONFIG,
+    DOCKER_CONFIG,
+    Config,
+    Manifest,
+    digest_of,
+    require_digest,
+    verified,
+    verified_blocks,
+)
 from rosml.registry.transport import Call, Group, scope
 
 CONFIG_BYTES = 8 << 20
@@ -58,11 +66,7 @@ class Blobs(Group):
         return content
 
     def config(self, repository: str, manifest: Manifest, name: str = "") -> Config:
-        """The config of an image for one platform. `name` is the user's name of the image, for messages.
-
-        Raises:
-            RosmlError: the manifest is that of no image (exit code 2); or as in `json_blob`.
-        """
+        """The config of an image for one platform. `name` is the user's name of the image, for messages."""
         name = name or f"{self.host}/{repository}@{manifest.digest}"
         if manifest.config is None:
             raise RosmlError(f"{name} is no image: it has no config", "check its name", exit_code=2)
@@ -78,10 +82,9 @@ class Blobs(Group):
     def read_blob(
         self, repository: str, digest: str, read: Callable[[Iterator[bytes]], T], size: int | None = None
     ) -> T:
-        """Calls `read` with the pieces of a blob while it arrives, and returns what it returns.
+        """What `read` returns, from the pieces of a blob as they arrive. If the connection breaks, it is called again, from the beginning.
 
-        If the connection breaks, `read` is called again, from the beginning. If it stops early, the rest is not
-        downloaded, and the digest is not checked. A blob of more than `size` bytes is an error.
+        If it stops early, the rest is not downloaded, and the digest is not checked. A blob of more than `size` bytes is an error.
         """
 
         def once() -> T:

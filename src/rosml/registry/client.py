@@ -26,20 +26,12 @@ class Registry(Referrers):
         self,
         host: str,
         *,
-        plain: bool | None = None,
-        ca_bundle: str = "",
-        credentials: Callable[[str], Credentials | None] = docker.from_docker,
+        plain: bool
+        | None = None,  # whether to speak http; only to this machine without certificates in certs.d if None
+        ca_bundle: str = "",  # a file of certificates to trust; that of SSL_CERT_FILE, or the usual one, if empty
+        credentials: Callable[[str], Credentials | None] = docker.from_docker,  # called once, when the registry asks
     ) -> None:
-        """
-        Args:
-            plain: speak http. By default, only a registry on this machine without certificates in certs.d gets it.
-            ca_bundle: a file of certificates to trust; by default that of SSL_CERT_FILE, or the usual one.
-            credentials: gives the credentials of a host; it is called once, when the registry asks for them.
-        """
         super().__init__(Transport(host, plain, ca_bundle, credentials))
-
-    def __repr__(self) -> str:
-        return f"Registry({self.host!r})"
 
     def __enter__(self) -> Self:
         return self

@@ -55,10 +55,9 @@ def folder() -> Path | None:
 
 
 def from_docker(host: str) -> Credentials | None:
-    """The credentials of a registry as Docker has them; None if there are none.
+    """The credentials of a registry, in Docker's order: the variable, the helper of that registry, the helper for all, the config file.
 
-    The order is Docker's: the variable DOCKER_AUTH_CONFIG, the helper of that registry, the helper for all registries,
-    the config file. Only the credentials that `rosml setup` made for the local registry come before the helpers.
+    Only the credentials that `rosml setup` made for the local registry come before the helpers.
     """
     names = (DOCKER_HUB_KEY, DOCKER_HUB) if host == DOCKER_HUB else (host,)
     if login := _from_variable(names):

@@ -41,14 +41,13 @@ registry would deny thousands of reads at once. The time is short because anothe
 
 
 class Login:
-    """`credentials` is None until the registry asks for them, or if there are none. Safe to share among threads."""
+    """Safe to share among threads."""
 
     def __init__(
         self, host: str, base: httpx.URL, client: httpx.Client, find: Callable[[str], Credentials | None]
     ) -> None:
-        """`find` gives the credentials of a host; it is called once, when the registry asks for them."""
         self.host = host
-        self.credentials: Credentials | None = None
+        self.credentials: Credentials | None = None  # until the registry asks for them, or if there are none
         self._base, self._client, self._find = base, client, find
         self._searched = False
         self._challenge: Challenge | None = None
@@ -68,12 +67,10 @@ class Login:
         return new is not None
 
     def header(self, address: httpx.URL, scopes: frozenset[str], refused: str) -> str:
-        """The header `Authorization` for a request; empty for another host, or if the registry has not asked for
-        credentials. `refused` is the header that the registry just refused, or empty.
+        """The header `Authorization` for a request; empty for another host, or if the registry has not asked for credentials.
 
-        Raises:
-            Transient: the token server is busy, or denies a scope to a known account.
-            RosmlError: there are no credentials, or the token server refuses them.
+        `refused` is the header that the registry just refused, or empty. Raises Transient if the token server is busy, or denies a scope to
+        a known account.
         """
         with self._lock:
             demand = self._challenge

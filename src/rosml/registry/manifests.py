@@ -12,10 +12,9 @@ from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.registry import answers, documents
 from rosml.registry.answers import Answer
-from rosml.registry.digests import verified
 from rosml.registry.documents import MEDIA_TYPE, TAG
 from rosml.registry.failures import Immutable
-from rosml.registry.oci import DOCKER_IMAGE, DOCKER_INDEX, IMAGE, INDEX, Manifest, digest_of, encoded
+from rosml.registry.oci import DOCKER_IMAGE, DOCKER_INDEX, IMAGE, INDEX, Manifest, digest_of, encoded, verified
 from rosml.registry.references import is_digest
 from rosml.registry.transport import Call, Group, Transport, scope
 

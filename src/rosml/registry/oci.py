@@ -1,16 +1,18 @@
-"""Media types, manifests and configs of the OCI specifications: https://github.com/opencontainers/image-spec"""
+"""Media types, digests, manifests and configs of the OCI specifications: https://github.com/opencontainers/image-spec"""
 
 from __future__ import annotations
 
 import functools
 import hashlib
 import json
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from rosml.base.errors import RosmlError
 from rosml.registry import documents
 from rosml.registry.documents import Descriptor
+from rosml.registry.references import is_digest
 
 IMAGE = "application/vnd.oci.image.manifest.v1+json"
 INDEX = "application/vnd.oci.image.index.v1+json"
@@ -25,8 +27,36 @@ EMPTY_BLOB = b"{}"
 """The blob of type EMPTY: the config of an artifact without a config."""
 
 
+_DAMAGED = "it is damaged: push it again"
+
+
 def digest_of(data: bytes) -> str:
     return f"sha256:{hashlib.sha256(data).hexdigest()}"
+
+
+def require_digest(digest: str) -> None:
+    if not is_digest(digest):
+        raise RosmlError(f"{digest[:200]!r} is no digest", "name one as sha256: and 64 digits, or a tag")
+
+
+def verified(data: bytes, digest: str) -> bytes:
+    return b"".join(verified_blocks([data], digest))
+
+
+def verified_blocks(blocks: Iterable[bytes], digest: str, size: int | None = None) -> Iterator[bytes]:
+    """Gives the pieces of a blob. After the last one, it checks the digest. At most `size` bytes may come."""
+    require_digest(digest)
+    state: Any = hashlib.new(digest.partition(":")[0])
+    received = 0
+    for block in blocks:
+        received += len(block)
+        if size is not None and received > size:
+            text = f"the registry's content for {digest} has more than the {size} bytes that its manifest says"
+            raise RosmlError(text, _DAMAGED)
+        state.update(block)
+        yield block
+    if state.hexdigest() != digest.partition(":")[2]:
+        raise RosmlError(f"the registry's content for {digest} has another digest", _DAMAGED)
 
 
 def encoded(content: Mapping[str, Any]) -> bytes:

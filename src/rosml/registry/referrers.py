@@ -49,8 +49,7 @@ class Referrers(Manifests, Blobs):
     def _has_referrers(self, path: str, repository: str) -> bool:
         """Whether the registry has the API for referrers. The first request of that kind decides.
 
-        Any answer but an index means that it has not. ghcr.io redirects to a web page, which may be missing, or answer
-        429 for hours.
+        Any answer but an index means no. ghcr.io redirects to a web page, which may be missing, or answer 429 for hours.
         """
         if self._has_api is None:
             try:
@@ -86,12 +85,8 @@ class Referrers(Manifests, Blobs):
         media_type: str,
         annotations: Mapping[str, str] | None = None,
     ) -> str:
-        """Attaches an artifact with one layer, `part`, to the manifest of a descriptor. Returns the artifact's digest.
-
-        Attaching the same artifact again changes nothing.
-        """
-        content = oci.artifact(artifact_type, part, media_type, annotations, subject)
-        return self._attach(repository, part, content)
+        """Attaches an artifact with one layer, `part`, to the manifest of a descriptor. Returns its digest. Again, it changes nothing."""
+        return self._attach(repository, part, oci.artifact(artifact_type, part, media_type, annotations, subject))
 
     def attach_with_layers(
         self,

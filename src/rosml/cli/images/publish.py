@@ -21,10 +21,10 @@ from rosml.cli.options import place_of
 
 if TYPE_CHECKING:
     from rosml.images.publish.run import Run
+    from rosml.images.publish.scan_results import Results
     from rosml.images.publish.undo import RecordedRun
     from rosml.images.records.store import Records
     from rosml.images.scan import judge
-    from rosml.images.scan.results import Results
 
 
 FILE = click.Path(path_type=Path, exists=True, dir_okay=False)
@@ -219,7 +219,7 @@ def scan(fetch: bool, database: str, reports: Path | None, output: Path | None, 
     """
     from rosml.cli.images import report
     from rosml.cli.images.tables import print_scan
-    from rosml.images.scan.results import Results
+    from rosml.images.publish.scan_results import Results
 
     call = Call(**options)
     run = call.run()

@@ -53,8 +53,7 @@ class Signer:
 
     @classmethod
     def find(cls, root: Path, environment: Mapping[str, str] = os.environ) -> Signer:
-        """The cosign that `rosml setup signer` installed, or one of that version on PATH. `COSIGN_KEY` names a key file or
-        a key service; without it, signing is keyless."""
+        """The cosign of `rosml setup signer`, or one of that version on PATH. `COSIGN_KEY` names a key; without it, it is keyless."""
         program = _program(root, environment)
         key = environment.get("COSIGN_KEY", "")
         if key:

@@ -21,16 +21,15 @@ from rosml.images.records.store import REPOSITORY
 
 
 class PlannedTask(Fact):
-    """The steps to do for an image or part on an architecture, and why; or why nothing can be done here. `inputs` names
-    the inputs that changed, if they were asked for."""
+    """The steps to do for an image or part on an architecture, and why."""
 
     target: str
     architecture: str
     kind: Kind
     steps: tuple[Step, ...]
     why: tuple[str, ...] = ()
-    hindered: str = ""
-    inputs: tuple[str, ...] = ()
+    hindered: str = ""  # why nothing can be done here
+    inputs: tuple[str, ...] = ()  # names of the inputs that changed, if they were asked for
 
 
 class Plan(Fact):
@@ -70,7 +69,6 @@ def make_plan(state: State, shards: int, why: bool = False) -> Plan:
     """Plans a run for at most so many machines. With `why`, it reads from the records which inputs changed."""
     tasks = state.tasks()
     to_do = [task for task in tasks if task.steps or task.hindered]
-    targets = {image.target: image for image in state.images}
     return Plan(
         version=1,
         date=state.date,
@@ -79,8 +77,8 @@ def make_plan(state: State, shards: int, why: bool = False) -> Plan:
         serve=state.request.serve,
         force=state.request.force,
         package_state=state.package_state,
-        targets=tuple(targets),
-        shards=deal(state.forecast, shards, lambda image: image.target in targets, _work(state, tasks)),
+        targets=tuple(image.target for image in state.images),
+        shards=deal(state.forecast, shards, _work(state, tasks)),
         tasks=tuple(_planned(state, task, why) for task in to_do),
         unchanged=len(tasks) - len(to_do),
         remarks=tuple(state.remarks),
@@ -90,9 +88,13 @@ def make_plan(state: State, shards: int, why: bool = False) -> Plan:
 def _work(state: State, tasks: list[Task]) -> Work:
     # Images that are only tested need a machine of their architecture as well. A scan runs on any machine.
     here = [task for task in tasks if task.item.architecture in state.architectures]
+    built = frozenset(task.item.key for task in here if task.item.making in task.steps)
+    tested = frozenset(task.item.key for task in here if "test" in task.steps)
+    targets = {image.target for image in state.images}
     return Work(
-        frozenset(task.item.key for task in here if task.item.making in task.steps),
-        frozenset(task.item.key for task in here if "test" in task.steps),
+        frozenset(key for key in built | tested if key[0] in targets),
+        built,
+        tested,
         {key: entry.seconds for key, entry in state.entries.items() if not entry.failed},
     )
 

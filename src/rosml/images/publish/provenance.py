@@ -92,8 +92,7 @@ def purl(repository: str, digest: str) -> str:
 
 
 def base(reference: str, expected: str) -> dict[str, Any]:
-    """The descriptor of an operating system's image, such as `debian:bookworm@sha256:…`. If its digest is not the
-    expected one, of matrix.yaml, the descriptor says so."""
+    """The descriptor of a system's image, such as `debian:bookworm@sha256:…`; it says if the digest is not the expected one."""
     name, _, digest = reference.removeprefix("docker-image://").partition("@")
     repository = re.sub(r":[^/:]+$", "", name)
     if "/" not in repository:
@@ -182,9 +181,10 @@ class Statement:
 
 
 def attach(client: Registry, statement: Statement, recorded: str = "") -> str:
-    """Attaches a statement to its manifest, unless the registry has the one of the same builder that the records name.
+    """Attaches a statement to its manifest, unless the registry has the recorded one of the same builder. Returns the artifact's digest.
+
     Other attached statements do not count: everybody with write access can attach one that names any builder.
-    Returns the digest of the artifact."""
+    """
     if recorded and client.head(statement.repository, recorded):
         return recorded
     subject = client.manifest(statement.repository, statement.digest)

@@ -163,8 +163,7 @@ class _Graph:
         return reached
 
     def in_order(self, path: str, digests: Iterable[str]) -> list[str]:
-        """Sorts digests: each index, followed by the images that no later index holds; at the end, images in no
-        index."""
+        """Sorts digests: each index, followed by the images that no later index holds; at the end, images in no index."""
         digests = sorted(digests)
         members = {digest: self.members(path, digest) for digest in digests}
         last = {image: index for index in digests for image in members[index]}
@@ -188,10 +187,7 @@ class _Removal:
     """Removes what can go, unless it came into use since the search."""
 
     def __init__(self, place: Place, oldest: date, pruning: Pruning) -> None:
-        self._place = place
-        self._client = place.client
-        self._oldest = oldest
-        self._graph = pruning.graph
+        self._place, self._client, self._oldest, self._graph = place, place.client, oldest, pruning.graph
         self._tag_digests = pruning.tag_digests
         self._needed = set(pruning.needed)
         self._run_records = dict(pruning.run_records)
@@ -273,8 +269,7 @@ class _Removal:
 
 
 def _book(place: Place, oldest: date) -> tuple[Digests, Digests, list[str]]:
-    """What the records say: digests that entries or kept records of runs name; digests that may go; and records of runs
-    that are too old."""
+    """What the records say: digests that entries or kept records of runs name; digests that may go; records that are too old."""
     book = Records(place)
     names = place.client.tags(book.repository)
     records = sorted(name for name in names if name.startswith(UNDO))

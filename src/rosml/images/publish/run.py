@@ -28,6 +28,8 @@ from rosml.machine import buildx
 Work = Callable[[Item, Entry], Entry]
 """Does a step's work on an item, and returns the item's new entry."""
 
+OutcomeState = Literal["done", "failed", "waits"]
+
 SUPERSEDED = 20
 """If an entry lists more superseded digests than this, it forgets those that are gone from the registry."""
 
@@ -43,7 +45,7 @@ class Outcome:
     step: str
     target: str
     architecture: str  # empty for an index or tags
-    state: Literal["done", "failed", "waits"]
+    state: OutcomeState
     reason: str = ""  # what was done, or why it failed or waits
     seconds: float = 0.0  # wall time
     uploaded: int = 0  # bytes sent to the registry
@@ -82,8 +84,7 @@ class Run:
 
     @property
     def uploaded(self) -> int:
-        """Bytes sent to the registry since its client was made: new layers, configs, manifests, attached artifacts,
-        indexes and records. Signatures, of about 1 kB each, do not count: cosign sends them."""
+        """Bytes sent to the registry since its client was made. Signatures, of about 1 kB each, do not count: cosign sends them."""
         return self.pushed + self.state.place.client.uploaded
 
     @cached_property
@@ -102,8 +103,7 @@ class Run:
     # ---- Work --------------------------------------------------------------------------------------------------------
 
     def each(self, step: str, items: Sequence[Item], work: Work) -> bool:
-        """Does a step's work on the items that are ready for it. Returns whether items were postponed, so that the step
-        has to be repeated."""
+        """Does a step's work on the items that are ready for it. Returns whether items were postponed: then the step has to be repeated."""
         expected = sum(step in self.state.task(item).steps for item in items)
         number, postponed = 0, False
         for item in progress_bar.over(items, step, len(items)):
@@ -156,29 +156,29 @@ class Run:
             self.say(f"failed: {error.message}" + (f"; {error.remedy}" if error.remedy else ""))
         waited = buildx.waited() - waits
         seconds = time.monotonic() - started + self.beforehand.pop(item.key, 0.0)
-        self.write(item, replace(entry, seconds={**entry.seconds, step: round(seconds - waited, 2)}))
+        self.write(replace(entry, seconds={**entry.seconds, step: round(seconds - waited, 2)}))
         reason = entry.failed.get("reason", "") if entry.failed else "; ".join(why)
-        state: Literal["done", "failed"] = "failed" if entry.failed else "done"
+        state: OutcomeState = "failed" if entry.failed else "done"
         self.outcomes.append(Outcome(step, *item.key, state, reason, seconds, self.uploaded - before, waited))
 
-    def write(self, item: Item, entry: Entry) -> None:
-        """Records the new entry of an item."""
-        self._write(item.key, entry, self.state.inputs.of(*item.key))
-
-    def write_index(self, thing: Image | Part, entry: Entry) -> None:
-        """Records the new entry of the index of an image or part."""
-        self._write((thing.target, INDEX), entry, {})
-
-    def _write(self, key: Key, entry: Entry, inputs: dict[str, str]) -> None:
-        entry = replace(entry, changed=self.state.date)
+    def write(self, entry: Entry) -> None:
+        """Records the new entry of an item or index."""
+        key, entry = (entry.target, entry.architecture), replace(entry, changed=self.state.date)
         if len(entry.superseded) > SUPERSEDED:  # so that the entry does not grow for ever
             place = self.state.place
             path = place.path(entry.repository)
             entry = replace(entry, superseded=tuple(x for x in entry.superseded if place.client.head(path, x)))
-        self.records.write(entry, inputs)
+        self.records.write(entry, {} if entry.architecture == INDEX else self.state.inputs.of(*key))
         self.state.entries[key] = entry
         if entry.digest:
             self.state.present.add(key)
+
+    def add(
+        self, step: str, thing: Image | Part, state: OutcomeState, reason: str, started: float | None = None
+    ) -> None:
+        """Notes the outcome of a step for an index or tags. `started`: by the monotonic clock, if it took time."""
+        seconds = 0.0 if started is None else time.monotonic() - started
+        self.outcomes.append(Outcome(step, thing.target, "", state, reason, seconds))
 
     def put_in_order(self, first: int) -> None:
         """Sorts the outcomes from the first one on, of images that were done side by side."""

@@ -1,17 +1,20 @@
-"""Records the results of a scan that had no write access to the registry (scan/results.py).
+"""The results of a scan, as a file for a job that may write into the registry.
 
-Results go only into entries about the same image digest. Nothing else in the registry changes.
+The scanner is a large program that reads foreign data, so it gets no right to publish. Its job hands over an outcome for each image.
+Outcomes go only into entries about the same image digest. Nothing else in the registry changes.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
+import json
+import time
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal
 
 from pydantic import ConfigDict, ValidationError
 
-from rosml.base import untrusted
+from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
 from rosml.base.shapes import Shape
@@ -21,10 +24,34 @@ from rosml.images.scan import judge
 from rosml.images.scan.trivy import WRITTEN_BYTES
 from rosml.registry.references import is_digest
 
+PAUSE_SECONDS = 30.0
+"""Between two writes of the file during a scan."""
+
+
+@dataclass
+class Results:
+    """Facts for entries of the records, by target and architecture; `date` is the run's."""
+
+    file: Path
+    date: str
+    entries: dict[tuple[str, str], dict[str, Any]] = field(default_factory=dict)
+    _written: float = float("-inf")
+
+    def add(self, entry: store.Entry) -> None:
+        """Adds the result of an image, and writes the file from time to time: if a scan is killed, its finished images are kept."""
+        facts = entry.to_json()
+        names = ("target", "architecture", "digest", "scanned", "scan")
+        self.entries[entry.target, entry.architecture] = {name: facts[name] for name in names if name in facts}
+        if time.monotonic() - self._written >= PAUSE_SECONDS:
+            self.write()
+
+    def write(self) -> None:
+        content = {"version": 1, "date": self.date, "entries": list(self.entries.values())}
+        files.write(self.file, json.dumps(content))
+        self._written = time.monotonic()
+
 
 class _File(Shape):
-    """The content of the file, as `scan/results.py` writes it."""
-
     model_config = ConfigDict(frozen=True, strict=True)
 
     version: Literal[1]

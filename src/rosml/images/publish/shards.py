@@ -8,7 +8,7 @@ shards need a part, one of them builds it, and does so first; the others take it
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Annotated
 
@@ -59,8 +59,9 @@ Costs = dict[tuple[str, str], int]
 
 @dataclass(frozen=True)
 class Work:
-    """The work of a run, by target and architecture."""
+    """The work of a run, by target and architecture. The ROS images below an image are built with it."""
 
+    images: frozenset[Key]  # the requested images that are built or tested
     built: frozenset[Key]  # images and parts to build or join
     tested: frozenset[Key]  # images to test
     seconds: Mapping[Key, Mapping[str, float]] = field(default_factory=dict)  # how long each step took the last time
@@ -75,19 +76,12 @@ class Unit:
     costs: Costs
 
 
-def deal(
-    image_set: ImageSet, shards: int, include: Callable[[Image], bool] = lambda image: True, work: Work | None = None
-) -> tuple[Shard, ...]:
-    """Deals the images of a set to machines: by architecture, the longest shard first.
+def deal(image_set: ImageSet, shards: int, work: Work) -> tuple[Shard, ...]:
+    """Deals work to at most so many machines, but at least one for each architecture with work; the longest shard first.
 
-    Args:
-        shards: how many machines there are at most. Each architecture with work gets at least one.
-        include: whether an image is built. The ROS images below it are built with it.
-        work: what has to be done; all included images if None. Images and architectures without work get no machine,
-            and estimates of time count only work. Estimates of download and disk count whole images, since tests need
-            these.
+    Estimates of time count only work, those of download and disk whole images, since tests need these.
     """
-    units = _units(image_set, include, work)
+    units = _units(image_set, work)
     return tuple(
         shard
         for architecture, share in _shares(units, shards).items()
@@ -108,12 +102,11 @@ def _runner(image_set: ImageSet, architecture: str) -> str:
 # ---- Units -----------------------------------------------------------------------------------------------------------
 
 
-def _units(image_set: ImageSet, include: Callable[[Image], bool], work: Work | None) -> dict[str, list[Unit]]:
+def _units(image_set: ImageSet, work: Work) -> dict[str, list[Unit]]:
     members: dict[str, dict[str, list[Image]]] = {name: {} for name in image_set.matrix.architectures}
-    for image in filter(include, image_set.images):
+    for image in image_set.images:
         for architecture in image.architectures:
-            key = image.target, architecture
-            if work is None or key in work.built or key in work.tested:
+            if (image.target, architecture) in work.images:
                 members[architecture].setdefault(image.distribution, []).append(image)
     return {
         architecture: [_unit(image_set, name, images, architecture, work) for name, images in distributions.items()]
@@ -122,15 +115,12 @@ def _units(image_set: ImageSet, include: Callable[[Image], bool], work: Work | N
     }
 
 
-def _unit(image_set: ImageSet, distribution: str, images: list[Image], architecture: str, work: Work | None) -> Unit:
+def _unit(image_set: ImageSet, distribution: str, images: list[Image], architecture: str, work: Work) -> Unit:
     rates = image_set.matrix.rates
     ordered = _ordered(image_set, images)
 
-    def is_built(target: str) -> bool:
-        return work is None or (target, architecture) in work.built
-
     def measured(target: str, step: str) -> int | None:
-        seconds = work.seconds.get((target, architecture), {}).get(step, 0) if work else 0
+        seconds = work.seconds.get((target, architecture), {}).get(step, 0)
         return math.ceil(seconds) if seconds >= 1 else None  # less than a second: it came from a cache
 
     def test(image: Image) -> int:
@@ -138,16 +128,16 @@ def _unit(image_set: ImageSet, distribution: str, images: list[Image], architect
         seconds = measured(image.target, "test")
         return rates.test + carried if seconds is None else seconds
 
-    ros = [image for image in ordered if image.stack is None and is_built(image.target)]
+    ros = [image for image in ordered if image.stack is None and (image.target, architecture) in work.built]
     builds = {image.target: seconds for image in ros if (seconds := measured(image.target, "build")) is not None}
     packages = sum(_size_alone(image_set, image).unpacked for image in ros if image.target not in builds)
-    tests = sum(test(image) for image in ordered if work is None or (image.target, architecture) in work.tested)
+    tests = sum(test(image) for image in ordered if (image.target, architecture) in work.tested)
     seconds = _divided(packages, rates.packages) + sum(builds.values()) + tests
     costs: Costs = {("distribution", distribution): seconds}
     if any(image.parent not in image_set.by_target for image in ros):
         costs["os", ordered[0].os] = _divided(image_set.matrix.disk.os.unpacked, rates.packages)
     for part in (image_set.part_by_name[name] for name in _parts(ordered)):
-        if is_built(part.target):
+        if (part.target, architecture) in work.built:
             build = measured(part.target, "build")
             costs["part", part.name] = _divided(part.disk.unpacked, rates.parts) if build is None else build
     return Unit(distribution, ordered, costs)
@@ -183,8 +173,7 @@ def _seconds(units: Iterable[Unit], elsewhere: Collection[str] = ()) -> int:
 
 
 def _shares(units: dict[str, list[Unit]], shards: int) -> dict[str, int]:
-    """How many shards each architecture gets: at least one; each further one goes to the architecture that takes
-    longest."""
+    """How many shards each architecture gets: at least one; each further one goes to the architecture that takes longest."""
     shares = dict.fromkeys(units, 1)
     longest = {name: _seconds(members) for name, members in units.items()}
     while sum(shares.values()) < shards:
@@ -207,8 +196,7 @@ def _dealt(image_set: ImageSet, architecture: str, units: list[Unit], share: int
 
 
 def _spread(units: list[Unit], share: int) -> list[list[Unit]]:
-    """Deals units, the longest first, to the shard that finishes first with it; of equal ones, to where it adds
-    least."""
+    """Deals units, the longest first, to the shard that finishes first with it; of equal ones, to where it adds least."""
     shards: list[list[Unit]] = [[] for _ in range(share)]
     shared: list[Costs] = [{} for _ in range(share)]
     loads = [0] * share
@@ -222,8 +210,7 @@ def _spread(units: list[Unit], share: int) -> list[list[Unit]]:
 
 
 def _elsewhere(shards: Sequence[Sequence[Unit]]) -> list[set[str]]:
-    """For each shard the names of the parts that another one builds: the longest part goes to the shard that has
-    least to build."""
+    """For each shard the names of the parts that another one builds: the longest part goes to the shard that has least to build."""
     needed: dict[str, list[int]] = {}
     seconds = dict[str, int]()
     for index, units in enumerate(shards):

@@ -36,8 +36,7 @@ class SharedTests:
     _provers: dict[str, Names] = field(default_factory=dict)
 
     def to_run(self, item: Item) -> Names:
-        """The tests that an image runs: its own; and those that it shares, unless they are part of this run in another
-        image, or passed before with the same parts."""
+        """The tests that an image runs: its own; and shared ones, unless another image runs them, or passed with the same parts."""
         image = _image(item)
         of_ros, of_parts = _of_ros(image), _of_parts(image)
         if self._runs_all(item):
@@ -91,8 +90,7 @@ class SharedTests:
         return self._provers[image.target]
 
     def unproven(self, item: Item) -> str:
-        """Why shared tests in other images prove nothing for this image; empty if they passed, or the image ran all
-        tests."""
+        """Why shared tests in other images prove nothing for this image; empty if they passed, or the image ran all tests."""
         image = _image(item)
         names = {*self._ran(item, self.entries[item.key])}
         for shared, first in ((_of_ros(image), image.parent), (_of_parts(image), next(iter(image.carriers), ""))):

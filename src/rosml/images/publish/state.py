@@ -1,5 +1,4 @@
-"""The state of a registry's images, and the steps that each of them needs: the matrix and locks, compared with the
-records.
+"""The state of a registry's images, and the steps that each of them needs: the matrix and locks, compared with the records.
 
 This module only decides: `survey.py` asks, and `run.py` carries out. A step that was done from the same inputs is not
 due again. So if a publishing run is interrupted, the next one continues, on any machine.
@@ -101,8 +100,7 @@ class State:
 
     @cached_property
     def forecast(self) -> ImageSet:
-        """The image set with the measured sizes of ROS images, as far as earlier runs measured them. For an
-        unmeasured image, the matrix's forecast of its own size is added to the size of the image below it."""
+        """The image set with measured sizes of ROS images. To an unmeasured one, the matrix's forecast adds its own size."""
         sizes: dict[str, Size] = {}
         for image in self.image_set.images:
             if image.stack is None:
@@ -120,13 +118,11 @@ class State:
 
     @cached_property
     def tests(self) -> SharedTests:
-        requested = frozenset(image.target for image in self.images)
-        everything = self.request.all_tests
-
         def outdated(key: Key) -> list[str]:
             return self.reasons(self.by_key[key]) if key in self.by_key else []
 
-        return SharedTests(self.image_set, self.inputs, self.entries, requested, everything, outdated)
+        requested = frozenset(image.target for image in self.images)
+        return SharedTests(self.image_set, self.inputs, self.entries, requested, self.request.all_tests, outdated)
 
     @cached_property
     def by_key(self) -> dict[Key, Item]:
@@ -137,11 +133,11 @@ class State:
         if reason := self.hindrance(item):
             return Task(item, hindered=reason)
         lacking = [target for target in item.needs if not self.is_current((target, item.architecture))]
-        hindered = {
-            target: reason for target in lacking if (reason := self._hindrance_below((target, item.architecture)))
-        }
-        if hindered or (lacking and not ahead):
-            first, reason = next(iter(hindered.items()), (lacking[0] if lacking else "", "it is not made yet"))
+        hindered = ((target, self._hindrance_below((target, item.architecture))) for target in lacking)
+        first, reason = next((pair for pair in hindered if pair[1]), ("", ""))
+        if lacking and not ahead and not reason:
+            first, reason = lacking[0], "it is not made yet"
+        if reason:
             return Task(item, hindered=reason if reason == ELSEWHERE else f"{reason} (for {first})")
         why = self.reasons(item)
         if lacking and item.key in self.entries and self.entries[item.key].digest:
@@ -257,8 +253,7 @@ class State:
     # ---- Indexes -----------------------------------------------------------------------------------------------------
 
     def members(self, thing: Image | Part) -> tuple[Key, ...]:
-        """The members of the index of an image or part, as target and architecture: the architectures that the
-        registry serves."""
+        """The members of an index, as target and architecture: the architectures that the registry serves."""
         serve = self.request.serve
         return tuple((thing.target, name) for name in thing.architectures if not serve or name in serve)
 
@@ -296,13 +291,11 @@ class State:
         )
 
     def things(self) -> tuple[Image | Part, ...]:
-        """Images and parts that get an index: the requested ones, and those below them. An image without tags only
-        tests."""
+        """Images and parts that get an index: the requested ones, and those below them. An image without tags only tests."""
         things = {item.target: item.thing for item in self.items}.values()
         return tuple(thing for thing in things if isinstance(thing, Part) or thing.tags)
 
     def index_of(self, thing: Image | Part) -> Entry | None:
-        """The entry of the index of an image or part."""
         return self.entries.get((thing.target, INDEX))
 
     def is_of_these(self, thing: Image | Part, index: Entry) -> bool:

@@ -118,13 +118,12 @@ def _log(state: State, thing: Image | Part) -> str:
 
 @dataclass(frozen=True)
 class Cause:
-    """Why some images are not published in their present form: their state, and what they have in common. `log` has the
-    last lines of what failed, of one image."""
+    """Why some images are not published in their present form: their state, and what they have in common."""
 
     state: str
     reason: str
     targets: tuple[str, ...]
-    log: str
+    log: str  # the last lines of what failed, of one image
 
 
 _FOR = re.compile(r" \(for [\w.-]+\)")
@@ -135,8 +134,7 @@ OPEN = ("failed", "outdated", "missing")
 
 
 def causes(statuses: Sequence[ImageStatus], architectures: Iterable[str]) -> list[Cause]:
-    """Groups the images that are not published in their present form by state and reason. Failures and large groups
-    come first. Names of architectures do not count, so that one fault on all architectures is one cause."""
+    """Groups unpublished images by state and reason, failures and large groups first. One fault on all architectures is one cause."""
     names = re.compile(rf"(?:(?<=^)|(?<=; ))(?:{'|'.join(map(re.escape, architectures))}): ")
     groups: dict[tuple[str, str], list[ImageStatus]] = {}
     for image in statuses:
@@ -216,8 +214,7 @@ def _failure_below(state: State, item: Item) -> str:
 
 
 def _outdated(state: State, item: Item) -> str:
-    """Why an item, or something below it, is out of date, whatever machine can build it; empty if all are up to
-    date."""
+    """Why an item, or something below it, is out of date, whatever machine can build it; empty if all are up to date."""
     if reasons := state.reasons(item):
         return reasons[0]
     below = (target for target in item.needs if _outdated(state, state.by_key[target, item.architecture]))

@@ -61,11 +61,9 @@ def _keys(state: State) -> list[Key]:
 
 
 def _ask_package_states(state: State) -> list[str]:
-    """Asks the package repositories of the distributions that can be built here; returns these distributions. If a
-    repository does not answer, a remark says so.
+    """Asks the package repositories of the distributions that can be built here; returns these distributions.
 
-    If nothing will be made, it asks only those of images that are in the registry: to read the apt sources of a base
-    image, this machine may have to make it.
+    If nothing will be made, it asks only for images in the registry: this machine may have to make a base image to read its apt sources.
     """
     distributions = list(
         dict.fromkeys(
@@ -91,8 +89,7 @@ def _ask_package_states(state: State) -> list[str]:
         elif answer.exit_code == 2:  # the user's setting is wrong, not the network
             raise answer
         else:
-            remark = f"{name}: {answer.message}; its packages are taken for unchanged; {answer.remedy}"
-            state.remarks.append(remark)
+            state.remarks.append(f"{name}: {answer.message}; its packages are taken for unchanged; {answer.remedy}")
     return distributions
 
 

@@ -70,8 +70,7 @@ def find(book: Records, date: str = "") -> RecordedRun:
 
 
 def undo(book: Records, date: str, run: RecordedRun) -> list[Outcome]:
-    """Moves tags back to where they were before a run, at a date. The index they pointed at is held from then on: no
-    later run moves them to it again. Returns an outcome for each tag that was not back yet."""
+    """Moves tags back to where they were before a run. No later run moves them to the same index again. An outcome for each tag moved."""
     moves = whereabouts(book, run)
     # Before the first tag moves: if this process is killed in between, the next run moves no tag to these indexes again.
     held = {

@@ -129,9 +129,7 @@ class Run:
     """The result of scanning many images. Only an image's own outcome decides whether it gets its tags."""
 
     images: tuple[Scanned, ...]
-    problems: tuple[
-        str, ...
-    ] = ()  # of the policy's own entries, as `file:line:column: …`; they fail the run, but no image
+    problems: tuple[str, ...] = ()  # of the policy's own entries, with file and line; they fail the run, but no image
 
     @property
     def outcome(self) -> Outcome:
@@ -155,7 +153,7 @@ class Scanner:
 
     def __init__(self, trivy: Trivy, shelf: Shelf, say: Callable[[str], None] = lambda line: None):
         self.trivy, self.shelf, self.say = trivy, shelf, say
-        self._reports: dict[str, PartReport | ScannerFailed] = {}
+        self._reports: dict[str, PartReport | ScannerFailed] = {}  # by digest
 
     @cached_property
     def database(self) -> Database:
@@ -170,12 +168,13 @@ class Scanner:
 
     def report(self, part: Part) -> PartReport:
         """The database's findings about a part."""
-        if part.digest not in self._reports:
+        report = self._reports.get(part.digest)
+        if report is None:
             try:
-                self._reports[part.digest] = self._report(part)
+                report = self._report(part)
             except ScannerFailed as error:
-                self._reports[part.digest] = error
-        report = self._reports[part.digest]
+                report = error
+            self._reports[part.digest] = report
         if isinstance(report, ScannerFailed):
             raise report
         return report
@@ -287,9 +286,7 @@ def scan_images(
 ) -> list[Scanned]:
     """Scans images with the present database. If one fails, the others still go on.
 
-    Args:
-        now: the run's time. It decides which ignore entries have expired, and whether the database is too old.
-        keep: gets each image once it is scanned. If the database has changed by the end, it gets each again, as a failed scan.
+    `keep` gets each image once it is scanned. If the database has changed by the end, it gets each again, as a failed scan.
     """
     today, scans = now.astimezone(UTC).date(), list[Scanned]()
     try:
@@ -325,9 +322,7 @@ def summarise(
     """The result of a run, with the problems of the policy's own entries.
 
     Args:
-        today: the run's date.
-        whole: whether these are all images. Images of the matrix that were never built are not among them, so they judge an ignore
-            entry only if it is for one of them.
+        whole: whether these are all images. Those that were never built are not among them: an entry for none of these is not judged.
         targets: the targets of all images of the matrix.
         left_out: the targets that a set does not have, and the matrix that it extends has. An entry that is for one of them says
             something about rosml's images: this run knows too little to call it useless.

@@ -20,15 +20,11 @@ from rosml.images.scan.trivy import ScannerFailed, Trivy
 
 @dataclass(frozen=True)
 class Refused:
-    """A locked package that keeps images from their tags.
-
-    Attributes:
-        id, severity: the advisory and its severity.
-    """
+    """A locked package that keeps images from their tags."""
 
     package: str
     version: str
-    id: str
+    id: str  # of the advisory
     severity: str
     fixed: str  # the version that fixes it; empty if there is none
     locks: tuple[str, ...]  # the locks that pin the version
@@ -66,12 +62,7 @@ def refused(
     now: datetime,
     say: Callable[[str], None] = lambda line: None,
 ) -> list[Refused]:
-    """The packages in locks that the policy does not allow. Fetches the database if there is none that is young enough.
-
-    Args:
-        texts: the texts of the locks, by path.
-        now: the time, by which entries of the policy expire.
-    """
+    """The packages in locks, by path, that the policy does not allow. Fetches the database if there is none that is young enough."""
     try:
         trivy.database().require_fresh(rules.policy.database, now)
     except ScannerFailed:

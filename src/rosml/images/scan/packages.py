@@ -69,14 +69,10 @@ def read(data: bytes) -> Packages:
 def cyclonedx(
     contents: Packages, reference: str, of_ros: Callable[[str], Mapping[str, Any]] = lambda name: {}
 ) -> bytes:
-    """The SBOM. The same packages give the same bytes.
+    """The SBOM of an image. The same packages give the same bytes. `of_ros` gives further fields of a ROS package, by its name.
 
     Versions and sources of Debian packages are in package URLs, and in properties with trivy's names:
     https://github.com/package-url/purl-spec/blob/main/types-doc/deb-definition.md
-
-    Args:
-        reference: the image, by its digest.
-        of_ros: further fields of a ROS package, by its name.
     """
     document = {
         "$schema": "http://cyclonedx.org/schema/bom-1.5.schema.json",

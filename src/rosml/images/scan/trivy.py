@@ -31,6 +31,11 @@ INSTALL = "run 'rosml setup scanner'"
 VERSION_SECONDS = 30.0
 SCAN_SECONDS = 600.0
 FETCH_SECONDS = 900.0
+WRITTEN_BYTES = 512 << 20
+"""The most bytes that trivy may write. SBOMs and reports have some MB."""
+
+ANOTHER = "run it again with another trivy"
+
 DATABASE_FORMAT = 2
 """The version of the database's format that the pinned trivy reads; also its tag in trivy's own repositories."""
 REPORT_FORMAT = 2
@@ -119,24 +124,14 @@ class _Database(_Model):
     UpdatedAt: str
 
 
-WRITTEN_BYTES = 512 << 20
-"""The most bytes that trivy may write. SBOMs and reports have some MB."""
-
-ANOTHER = "run it again with another trivy"
-
-
 @dataclass
 class Trivy:
-    """The program, and the folder with its database.
-
-    Attributes:
-        environment: the variables that its calls inherit.
-    """
+    """The program, and the folder with its database."""
 
     program: str
     version: str  # its version, which is the pinned one
     folder: Path  # its cache, with the database below `db`
-    environment: Mapping[str, str] = field(default_factory=lambda: dict(os.environ), repr=False)
+    environment: Mapping[str, str] = field(default_factory=lambda: dict(os.environ), repr=False)  # its calls inherit it
     scan_seconds: float = SCAN_SECONDS
     pause: float = PAUSE_SECONDS  # seconds before the second attempt to fetch the database
 
@@ -174,11 +169,7 @@ class Trivy:
         return read_report(written, what)
 
     def fetch(self, rules: DatabaseRules, pinned: str = "", say: Callable[[str], None] = lambda line: None) -> Database:
-        """Fetches the database from the first repository that has it. Call it once per run and machine.
-
-        Args:
-            pinned: the common state of all shards of a run, from `resolve`; if empty, the state of the tags.
-        """
+        """Fetches the database from the first repository that has it, or the `pinned` state, which `resolve` gives all shards of a run."""
         reasons: list[str] = []
         for attempt in range(ATTEMPTS):
             if attempt:
@@ -238,10 +229,10 @@ class Trivy:
             argv = [self.program, "--cache-dir", str(self.folder), *arguments[:1], *quiet, *arguments[1:]]
             if arguments != ("--version",):
                 argv[1:1] = ["--timeout", f"{int(seconds)}s"]
-            code, output, errors = _call(argv, env, nowhere, seconds)
-        if code != 0:
-            raise ScannerFailed(f"trivy {arguments[0]}: {_reason(errors) or f'exit code {code}'}")
-        return output
+            done = _call(argv, env, nowhere, seconds)
+        if done.returncode != 0:
+            raise ScannerFailed(f"trivy {arguments[0]}: {_reason(done.stderr) or f'exit code {done.returncode}'}")
+        return done.stdout
 
 
 def read_report(written: bytes, what: str) -> Report:
@@ -259,10 +250,7 @@ def read_report(written: bytes, what: str) -> Report:
 
 
 def resolve(rules: DatabaseRules, head: Callable[[str], str]) -> str:
-    """The newest state of the database, for all shards of a run.
-
-    `head` returns the digest of a reference, or an empty text. The result is for `Trivy.fetch`.
-    """
+    """The newest state of the database, for all shards of a run. `head` returns the digest of a reference, or an empty text."""
     reasons = []
     for repository in rules.repositories:
         tagged = ":" in repository.rpartition("/")[2]
@@ -282,11 +270,10 @@ def _unreachable(text: str, reasons: Iterable[str]) -> ScannerFailed:
     return ScannerFailed(f"{text}:{lines}", remedy)
 
 
-def _call(argv: Sequence[str], env: Mapping[str, str], folder: str, seconds: float) -> tuple[int, str, str]:
-    """Returns exit code, output and errors."""
+def _call(argv: Sequence[str], env: Mapping[str, str], folder: str, seconds: float) -> subprocess.CompletedProcess[str]:
     try:
         # trivy itself stops at its timeout, and says in what it was stuck; this is for one that does not.
-        process = subprocess.run(
+        return subprocess.run(
             argv,
             stdin=subprocess.DEVNULL,
             capture_output=True,
@@ -301,7 +288,6 @@ def _call(argv: Sequence[str], env: Mapping[str, str], folder: str, seconds: flo
         raise ScannerFailed(f"cannot run {argv[0]}: {error.strerror}", INSTALL) from None
     except subprocess.TimeoutExpired:
         raise ScannerFailed(f"trivy did not end within {seconds:.0f} s", "run it again") from None
-    return process.returncode, process.stdout, process.stderr
 
 
 def _reason(errors: str) -> str:
@@ -317,8 +303,7 @@ def _written_moment(text: str) -> str:
     """A time of trivy's, in UTC and whole seconds. Its year 1 means never: a `ValueError`."""
     if text.startswith("0001-"):
         raise ValueError("never")
-    moment = datetime.fromisoformat(re.sub(r"\.\d+", "", text).replace("Z", "+00:00")).astimezone(UTC)
-    moment = moment.replace(tzinfo=None, microsecond=0)
+    moment = datetime.fromisoformat(text).astimezone(UTC).replace(tzinfo=None, microsecond=0)
     return f"{moment.isoformat()}Z"  # strftime writes the year 900 with three digits
 
 

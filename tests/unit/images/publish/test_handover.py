@@ -18,7 +18,7 @@ from rosml.images.image_set import locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish import scan_results
 from rosml.images.records import store
-from rosml.images.scan.results import Results
+from rosml.images.publish.scan_results import Results
 
 CORE = ("alpha-core", "amd64")
 

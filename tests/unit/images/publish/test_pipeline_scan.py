@@ -26,7 +26,7 @@ from rosml.images.records.store import INDEX
 from rosml.images.scan import judge as judging
 from rosml.images.scan.judge import Outcome, summarise
 from rosml.images.scan.policy import Rules
-from rosml.images.scan.results import Results
+from rosml.images.publish.scan_results import Results
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
 from rosml.images.scan.trivy import ScannerFailed
 

@@ -25,8 +25,7 @@ STEPS: dict[str, Callable[[Run], object]] = {
 
 
 def images(run: Run, minutes: float = math.inf) -> None:
-    """Builds, joins and tests. Each image is tested as soon as it is finished: if a run ends early, the images
-    tested so far can get their tags."""
+    """Builds, joins and tests, each image as soon as it is finished: if a run ends early, the tested ones can get their tags."""
     run.deadline, run.on_made = time.monotonic() + 60 * minutes, partial(test.test_at_once, run)
     build.build(run)
     join.join(run)

@@ -24,8 +24,7 @@ RESTARTS = 2
 def build(run: Run) -> None:
     """Builds ROS images and parts.
 
-    If ROS publishes new packages after the plan was made, the run rebuilds all components of that distribution from
-    these, so that all packages of an image have one sync date.
+    If ROS publishes packages after the plan, all components of that distribution are built from these: an image has one sync date.
     """
     items = sorted((item for item in run.state.items if item.kind != "joined"), key=partial(_order, run))
     if run.whole:

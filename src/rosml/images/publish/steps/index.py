@@ -1,5 +1,4 @@
-"""Makes an index of every image whose architectures are all built, tested and alike. No tag moves, so nobody sees it
-yet."""
+"""Makes an index of every image whose architectures are all built, tested and alike. No tag moves, so nobody sees it yet."""
 
 from __future__ import annotations
 
@@ -14,7 +13,7 @@ from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.labels import COVERED, OCI, REVISION, SOURCE, TITLE, title
 from rosml.images.image_set.model import Image, Part, repository_of
 from rosml.images.publish import provenance, same_content
-from rosml.images.publish.run import Outcome, Run, failure
+from rosml.images.publish.run import Run, failure
 from rosml.images.publish.steps.sign import sign
 from rosml.images.records.store import DATE, INDEX, INPUTS, Entry
 from rosml.registry import oci
@@ -26,7 +25,7 @@ def index(run: Run) -> None:
     before, things = len(run.outcomes), list[Image | Part]()
     for thing in run.state.things():
         if reason := run.state.unready(thing):
-            run.outcomes.append(Outcome("index", thing.target, "", "waits", reason))
+            run.add("index", thing, "waits", reason)
         elif not _is_current(run, thing):
             things.append(thing)
     side_by_side(partial(_make, run), things)
@@ -58,16 +57,14 @@ def _make(run: Run, thing: Image | Part) -> None:
         reason = counted(len(members), "architecture")
     except RosmlError as error:
         entry, reason = replace(entry, failed=failure("index", error.message, error.remedy)), error.message
-    run.write_index(thing, entry)
-    seconds = time.monotonic() - started
-    run.outcomes.append(Outcome("index", thing.target, "", "failed" if entry.failed else "done", reason, seconds))
+    run.write(entry)
+    run.add("index", thing, "failed" if entry.failed else "done", reason, started)
     if not entry.failed:
         sign(run, thing)
 
 
 def _put(run: Run, thing: Image | Part, members: Sequence[Entry], inputs: str) -> str:
-    """Puts an index into the registry, and returns its digest. Fails if the architectures differ in content, or the
-    records name another image's manifest."""
+    """Puts an index, and returns its digest. Fails if the architectures differ in content, or the records name another image's manifest."""
     place = run.state.place
     repository = place.path(repository_of(thing))
     images = {entry.architecture: _image(run, repository, entry.digest) for entry in members}
@@ -115,8 +112,7 @@ def _platform(config: Config) -> dict[str, str]:
 
 
 def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
-    """Annotations of an image in its index: digests of the publisher's statements and SBOMs, so that a signature of the
-    index covers them."""
+    """Annotations of an image in its index: digests of statements and SBOMs, so that a signature of the index covers them."""
     annotations = {provenance.COVERED: " ".join(sorted(entry.provenance.values()))} if entry.provenance else {}
     item = run.state.by_key[entry.target, entry.architecture]
     for target in item.needs if item.kind == "joined" else (item.target,):
@@ -127,8 +123,7 @@ def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
 
 
 def _checkout(run: Run) -> dict[str, str]:
-    """Annotations of an index about the checkout: its address; and its revision, unless files differ from it. Images
-    have no revision, because every commit would change all of them."""
+    """Annotations of an index about the checkout. Images have no revision, because every commit would change all of them."""
     source = next(iter(run.source), {})
     address, revision = source.get("uri", "").removeprefix("git+"), source.get("digest", {}).get("gitCommit", "")
     annotations = {SOURCE: address, REVISION: "" if "annotations" in source else revision}

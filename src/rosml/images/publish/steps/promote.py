@@ -10,7 +10,6 @@ from __future__ import annotations
 import time
 from collections.abc import Iterable, Iterator, Mapping
 from itertools import chain, count
-from typing import Literal
 
 from rosml.base import clock
 from rosml.base.errors import RosmlError
@@ -19,7 +18,7 @@ from rosml.images.image_set import labels
 from rosml.images.image_set.labels import TITLE
 from rosml.images.image_set.model import Image, Part, tags_of
 from rosml.images.matrix.names import dated
-from rosml.images.publish.run import Outcome, Run
+from rosml.images.publish.run import Run
 from rosml.images.publish.steps.sign import sign
 from rosml.images.records import store, tag_moves
 from rosml.images.records.store import INDEX, Entry
@@ -35,9 +34,7 @@ Tags = Mapping[tuple[str, str], str]
 
 
 def promote(run: Run) -> list[Move]:
-    """Moves the tags of all images whose index is up to date. If the registry refuses one image, the others still move.
-    If it refuses the record of where a batch's tags were, none of these tags moves.
-    It works in batches, so that if the run is ended, for example by a time limit, the first images have their tags."""
+    """Moves the tags of all images whose index is up to date, in batches: if the run is ended, the first images have their tags."""
     return _Promotion(run).moves()
 
 
@@ -66,8 +63,7 @@ class _Promotion:
         return moves
 
     def _tags(self) -> Tags:
-        """Where the tags of all indexes point. Asks side by side: one after the other, this would take minutes on a
-        distant registry, although most tags need no move."""
+        """Where the tags of all indexes point. Asks side by side: one after the other takes minutes on a distant registry."""
         names = [
             (self.state.place.path(entry.repository), tag)
             for thing in self.state.things()
@@ -85,7 +81,7 @@ class _Promotion:
         if not reason and entry and entry.held:
             reason = f"its tags were moved back on {entry.held[:10]}; a change, or --force, rebuilds it"
         if reason:
-            self._add_outcome(thing, "waits", reason)
+            self.run.add("promote", thing, "waits", reason)
         return not reason
 
     def _prepare(self, thing: Thing, tags: Tags) -> list[Move]:
@@ -93,15 +89,10 @@ class _Promotion:
         entry = self.state.entries[thing.target, INDEX]
         moves = list(self._moves(thing, entry, tags))
         if (moves or self.run.signer) and (reason := self._foreign_index(thing, entry)):
-            self._add_outcome(thing, "failed", reason)
+            self.run.add("promote", thing, "failed", reason)
         elif sign(self.run, thing, moving=bool(moves)) and moves and self._attach_entries(thing):
             return moves
         return []
-
-    def _add_outcome(
-        self, thing: Thing, state: Literal["done", "failed", "waits"], reason: str, seconds: float = 0.0
-    ) -> None:
-        self.run.outcomes.append(Outcome("promote", thing.target, "", state, reason, seconds))
 
     def _foreign_index(self, thing: Thing, entry: Entry) -> str:
         """Why the index that the records name is not the index of this image; empty if it is."""
@@ -122,13 +113,12 @@ class _Promotion:
                 self.run.records.attach(self.state.entries[key], self.state.inputs.of(*key))
         except RosmlError as error:
             self._require_answer()
-            self._add_outcome(thing, "failed", error.message, time.monotonic() - started)
+            self.run.add("promote", thing, "failed", error.message, started)
             return False
         return True
 
     def _moves(self, thing: Thing, entry: Entry, tags: Tags) -> Iterator[Move]:
-        """The moves of an image, in their order. If a move would go back or lose an architecture, it is left out and
-        reported."""
+        """The moves of an image, in their order. A move that would go back or lose an architecture is left out and reported."""
         repository = self.state.place.path(entry.repository)
         main, *others = tags_of(thing)
         day = dated(main, entry.date)
@@ -144,7 +134,7 @@ class _Promotion:
             if digest == entry.digest:
                 continue
             if reason := self._reason_to_stay(repository, digest, entry):
-                self._add_outcome(thing, "waits", f"{tag} stays: {reason}")
+                self.run.add("promote", thing, "waits", f"{tag} stays: {reason}")
                 continue
             yield Move(entry.repository, tag, digest, entry.digest)
 
@@ -164,8 +154,7 @@ class _Promotion:
         return f"it would lose {', '.join(sorted(lost))}" if lost else ""
 
     def _move(self, thing: Thing, moves: Iterable[Move]) -> None:
-        """Moves the tags of an image. If a tag is protected, or the index is gone, only this image fails; if the registry
-        does not answer, no further tag is tried."""
+        """Moves the tags of an image. If one is protected, only this image fails; if the registry is silent, no further tag is tried."""
         started = time.monotonic()
         reason = ""
         try:
@@ -181,7 +170,7 @@ class _Promotion:
                 raise
             reason = error.message
         tags = ", ".join(move.tag for move in moves)
-        self._add_outcome(thing, "failed" if reason else "done", reason or tags, time.monotonic() - started)
+        self.run.add("promote", thing, "failed" if reason else "done", reason or tags, started)
 
     def _require_answer(self) -> None:
         """Checks, after a failure, that the registry answers. If it does not, trying every other tag would take hours."""

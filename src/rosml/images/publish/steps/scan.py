@@ -15,11 +15,11 @@ from rosml.images.image_set.expand import expand
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish.items import Item, Key
 from rosml.images.publish.run import Outcome, Run
+from rosml.images.publish.scan_results import Results
 from rosml.images.publish.state import State
 from rosml.images.records.store import Entry
 from rosml.images.scan import judge, sarif
 from rosml.images.scan.policy import Rules
-from rosml.images.scan.results import Results
 from rosml.images.scan.sbom import Shelf
 from rosml.images.scan.trivy import ScannerFailed, Trivy
 
@@ -31,17 +31,17 @@ def scan(
     reports: Path | None = None,
     results: Results | None = None,
 ) -> judge.Run:
-    """Scans all images in the registry, on all architectures: a scan reads only the registry. Each result is recorded
-    at once, so that it is kept if the run ends early. An image that was clean by the same policy and the same database
-    is not scanned again. `reports` is a folder for SARIF; `results` takes what else would go into the registry."""
+    """Scans all images in the registry that were not clean by the same policy and database. Each result is recorded at once: a run may end.
+
+    `reports` is a folder for SARIF; `results` takes what else would go into the registry."""
     state, policy = run.state, policy_digest(rules, run.state.date)
 
     def keep(scanned: judge.Scanned) -> None:
         key = scanned.target, scanned.architecture
         facts = _facts(scanned, policy)
-        entry = replace(state.entries[key], scanned=scanned.outcome.value, scan=facts, changed=state.date)
+        entry = replace(state.entries[key], scanned=scanned.outcome.value, scan=facts)
         if results is None:
-            run.write(state.by_key[key], entry)
+            run.write(entry)
         else:
             results.add(entry)
 
@@ -89,8 +89,7 @@ def _outcomes(verdict: judge.Run, seconds: float) -> list[Outcome]:
 
 
 def _is_whole(state: State, images: dict[Key, judge.Image]) -> bool:
-    """Whether a scan covers all that this registry may have. Missing images do not count: they may lack a lock, or have
-    restricted parts that may not go to this registry."""
+    """Whether a scan covers all that this registry may have. Missing images may lack a lock, or have parts that may not go there."""
     present = {item.key for item in state.items if item.kind != "part"} & state.present
     every, place = state.image_set.images, state.place
     refused, _ = restricted.refused(state.image_set, every, place.client.host, place.prefix)
@@ -134,8 +133,7 @@ def _database(trivy: Trivy | ScannerFailed) -> str:
 
 
 def policy_digest(rules: Rules, date: str) -> str:
-    """A digest of the meaning of a scan policy on a run's date. It does not cover expired ignore entries, so that a
-    scan which was clean because of one does not count any more."""
+    """A digest of a scan policy on a run's date, without expired ignore entries: a scan that was clean by one of these counts no more."""
     return hashlib.sha256(rules.in_force(_time(date).date()).model_dump_json().encode()).hexdigest()
 
 
