@@ -289,8 +289,8 @@ class Night:
         parts = {(part.target, name) for part in self.image_set.parts for name in part.architectures}
         times = {key: {"test": self._pip(image) + self._test(image)} for key, image in keys.items()}
         builds = frozenset({*keys, *(parts if self.way == LOCKS else ())})
-        work = Work(builds, frozenset(keys), times if self.way == USUAL else {})
-        return deal(self.image_set, self.load.machines, work=work)
+        work = Work(frozenset(keys), builds, frozenset(keys), times if self.way == USUAL else {})
+        return deal(self.image_set, self.load.machines, work)
 
     def _pip(self, image: Image) -> float:
         return fact("pip seconds") * self._parts(image).unpacked / fact("pip unpacked MB")

@@ -24,7 +24,6 @@ if FORK:  # unit tests are about rosml, whose matrix a fork with a set still has
 
 from fakes import projects  # noqa: E402
 from fakes.http_registry import StandIn, standing_in  # noqa: E402
-from fakes.stubs import answering_registry  # noqa: E402
 from rosml.images.image_set import load, locked  # noqa: E402
 from rosml.images.image_set import model as sets  # noqa: E402
 from rosml.images.matrix import (  # noqa: E402
@@ -202,8 +201,8 @@ def real() -> sets.ImageSet:
 
 @pytest.fixture(scope="session")
 def registry() -> Iterator[str]:
-    with answering_registry() as address:
-        yield address
+    with standing_in() as server:
+        yield server.address
 
 
 @pytest.fixture(scope="session")

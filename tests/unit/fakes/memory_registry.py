@@ -5,15 +5,15 @@ from __future__ import annotations
 import hashlib
 import json
 import threading
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
 
-from fakes.scanning import sbom_of
 from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.images.builds import package_state
@@ -27,7 +27,7 @@ from rosml.images.publish.state import Request, State
 from rosml.images.publish.steps import STEPS
 from rosml.images.publish.survey import survey
 from rosml.images.records import store, tag_moves
-from rosml.images.scan import sbom
+from rosml.images.scan import packages, sbom
 from rosml.machine.services import Services
 from rosml.registry import oci, retries
 from rosml.registry.client import BLOB_BYTES, Registry
@@ -58,23 +58,17 @@ def digest(data: bytes) -> str:
 
 @dataclass
 class MemoryRegistry(Registry):
-    """Repositories by path.
-
-    Attributes:
-        writes, reads: how many requests; those for attached artifacts count twice, as a registry without the API gets them.
-        uploaded: bytes. die_at: the write, counted from 1, at which the process ends; before it takes effect, or after.
-        refuses: methods that fail.
-    """
+    """Repositories by path."""
 
     manifests: dict[str, dict[str, Manifest]] = field(default_factory=dict)
     blobs: dict[str, dict[str, bytes]] = field(default_factory=dict)
     names: dict[str, dict[str, str]] = field(default_factory=dict)
     writes: int = 0
-    reads: int = 0
-    uploaded: int = 0
-    die_at: int = 0
+    reads: int = 0  # requests; those for attached artifacts count twice, as a registry without the API gets them
+    uploaded: int = 0  # bytes
+    die_at: int = 0  # the write, counted from 1, at which the process ends; before it takes effect, or after
     die_after: bool = False
-    refuses: set[str] = field(default_factory=set)
+    refuses: set[str] = field(default_factory=set)  # methods that fail
     lock: Any = field(default_factory=threading.RLock)
     host: str = HOST
 
@@ -110,17 +104,20 @@ class MemoryRegistry(Registry):
         name = self.names.get(repository, {}).get(reference, reference)
         return self.manifests.get(repository, {}).get(name)
 
-    def put_manifest(
-        self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str = IMAGE
-    ) -> str:
-        data = content if isinstance(content, bytes) else json.dumps(content, sort_keys=True).encode()
+    def _put(
+        self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str
+    ) -> tuple[str, httpx.Headers]:
+        data = content if isinstance(content, bytes) else oci.encoded(content)
+        if b'"subject"' in data and "attach" in self.refuses:
+            raise RosmlError("the registry refuses to attach", "ask who runs it")
         with self.writing("put a manifest"):
             name = digest(data)
             self.uploaded += len(data)
             self.manifests.setdefault(repository, {})[name] = Manifest(json.loads(data), name, media_type, len(data))
             if reference and not reference.startswith("sha256:"):
                 self.names.setdefault(repository, {})[reference] = name
-            return name
+            subject = json.loads(data).get("subject")
+            return name, httpx.Headers({"OCI-Subject": subject["digest"]} if subject else {})
 
     def head(self, repository: str, reference: str) -> str:
         manifest = self.manifest(repository, reference)
@@ -181,28 +178,14 @@ class MemoryRegistry(Registry):
     def forget(self, repository: str, subject: str) -> None:
         assert subject not in self.manifests[repository]
 
-    def attach(
-        self,
-        repository: str,
-        subject: Mapping[str, Any],
-        artifact_type: str,
-        part: bytes,
-        media_type: str,
-        annotations: Mapping[str, str] | None = None,
-    ) -> str:
-        if "attach" in self.refuses:
-            raise RosmlError("the registry refuses to attach", "ask who runs it")
-        layer = {"mediaType": media_type, "digest": self.put_blob(repository, part), "size": len(part)}
-        content = {
-            "schemaVersion": 2,
-            "mediaType": IMAGE,
-            "artifactType": artifact_type,
-            "layers": [layer],
-            "annotations": dict(annotations or {}),
-            "subject": dict(subject),
-        }
-        data = json.dumps(content, sort_keys=True).encode()
-        return self.put_manifest(repository, digest(data), data, IMAGE)
+
+def sbom_of(reference: str, names: Iterable[str], system: str = "") -> bytes:
+    """The SBOM of an image of Debian, or of a part without a system."""
+    facts = {"version": "1.0", "architecture": "amd64", "source_version": "1.0"}
+    apt = [packages.Apt(name=name, source=name, **facts) for name in names if system]
+    wheels = [packages.Python(name=name, version="1.0") for name in names if not system]
+    of = packages.System(name="debian" if system else "", version=system)
+    return packages.cyclonedx(packages.Packages(system=of, apt=apt, python=wheels, ros=[]), reference)
 
 
 @dataclass
@@ -435,6 +418,3 @@ def publisher(folder: Path, services: Services, monkeypatch: pytest.MonkeyPatch)
     for module in (retries, web):
         monkeypatch.setattr(module, "WAIT", 0.001)
     return place
-
-
-__all__ = ["Killed", "Publisher", "publisher"]

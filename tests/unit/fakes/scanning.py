@@ -1,25 +1,24 @@
-"""Local replacements for the scanner's tests: a trivy that speaks the real one's command line, and a registry in memory."""
+"""A local replacement for trivy, with the real one's command line."""
 
 from __future__ import annotations
 
 import hashlib
 import json
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
+from fakes.memory_registry import MemoryRegistry, sbom_of
 from rosml.images.matrix.source import parse
-from rosml.images.scan import judge, packages
+from rosml.images.scan import judge
 from rosml.images.scan.judge import Image, Part
 from rosml.images.scan.policy import Rules, parsed
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE, Shelf
 from rosml.images.scan.trivy import Trivy
 from rosml.registry import oci
-from rosml.registry.documents import Descriptor
-from rosml.registry.oci import Manifest
 
 NOW = datetime(2026, 11, 22, 3, 0, tzinfo=UTC)
 VERSION = "0.65.0"
@@ -96,15 +95,6 @@ def digest(name: str) -> str:
     return f"sha256:{hashlib.sha256(name.encode()).hexdigest()}"
 
 
-def sbom_of(reference: str, names: Iterable[str], system: str = "") -> bytes:
-    """The SBOM of an image of Debian, or of a part without a system."""
-    facts = {"version": "1.0", "architecture": "amd64", "source_version": "1.0"}
-    apt = [packages.Apt(name=name, source=name, **facts) for name in names if system]
-    wheels = [packages.Python(name=name, version="1.0") for name in names if not system]
-    of = packages.System(name="debian" if system else "", version=system)
-    return packages.cyclonedx(packages.Packages(system=of, apt=apt, python=wheels, ros=[]), reference)
-
-
 def advisory(name: str, severity: str = "HIGH", fixed: str = "2.0") -> dict[str, str]:
     """An advisory as trivy reports it."""
     return {"VulnerabilityID": name, "Severity": severity, **({"FixedVersion": fixed} if fixed else {})}
@@ -128,7 +118,7 @@ class World:
     eosl: bool = False
     buckets: str = "debian 12, pip::GitHub"  # the sources of advisories in the database
     fail: dict[str, Any] = field(default_factory=dict)
-    memory: Memory = field(default_factory=lambda: Memory())
+    memory: MemoryRegistry = field(default_factory=MemoryRegistry)
     records: dict[str, str] = field(default_factory=dict)
 
     def write(self) -> None:
@@ -155,8 +145,7 @@ class World:
         return self.memory.attach(to.repository, subject, MEDIA_TYPE, content, MEDIA_TYPE, annotations)
 
     def shelf(self) -> Shelf:
-        client: Any = self.memory
-        return Shelf(client, self.records)
+        return Shelf(self.memory, self.records)
 
     def trivy(self, **changes: Any) -> Trivy:
         self.write()
@@ -190,41 +179,6 @@ class World:
         """The calls of the program with a word in them."""
         file = self.folder / "calls"
         return [line for line in file.read_text().splitlines() if word in line.split()] if file.exists() else []
-
-
-class Memory:
-    """A registry in memory, of what is attached alone."""
-
-    def __init__(self) -> None:
-        self.attached: dict[tuple[str, str], list[Manifest]] = {}
-        self.blobs: dict[str, bytes] = {}
-
-    def __getattr__(self, name: str) -> Any:
-        raise AttributeError(f"what keeps SBOMs has no need to {name}")
-
-    def manifest(self, repository: str, reference: str) -> Manifest | None:
-        matches = [item for items in self.attached.values() for item in items if item.digest == reference]
-        return matches[0] if matches else None
-
-    def part(self, repository: str, descriptor: Descriptor) -> bytes:
-        return self.blobs[descriptor.digest]
-
-    def attach(
-        self,
-        repository: str,
-        subject: Mapping[str, Any],
-        artifact_type: str,
-        part: bytes,
-        media_type: str,
-        annotations: Mapping[str, str],
-    ) -> str:
-        blob = f"sha256:{hashlib.sha256(part).hexdigest()}"
-        self.blobs[blob] = part
-        layer = {"mediaType": media_type, "digest": blob, "size": len(part)}
-        content = {"schemaVersion": 2, "layers": [layer], "annotations": dict(annotations), "subject": dict(subject)}
-        name = digest(json.dumps(content))
-        self.attached.setdefault((repository, subject["digest"]), []).append(Manifest(content, name, "m", 1))
-        return name
 
 
 POLICY = """\

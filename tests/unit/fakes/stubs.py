@@ -1,4 +1,4 @@
-"""Local replacements for the programs and the registry that the publisher talks to: small shell scripts, a real HTTP server."""
+"""Local replacements for the programs that the publisher calls: small shell scripts."""
 
 from __future__ import annotations
 
@@ -9,10 +9,7 @@ import os
 import pty
 import subprocess
 import sys
-import threading
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from collections.abc import Mapping
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -96,22 +93,6 @@ def calls(folder: Path) -> list[str]:
     return file.read_text().splitlines() if file.exists() else []
 
 
-@contextmanager
-def answering_registry() -> Iterator[str]:
-    class Handler(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            self.send_response(200 if self.path == "/v2/" else 404)
-            self.end_headers()
-
-        def log_message(self, format: str, *args: object) -> None:
-            pass
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), Handler) as server:
-        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
-        yield f"127.0.0.1:{server.server_port}"
-        server.shutdown()
-
-
 def services(root: Path, registry: str = "127.0.0.1:1", **changes: Any) -> Services:
     """Services of a checkout, as the set-up writes them down; nothing listens on port 1."""
     facts = {
@@ -131,23 +112,10 @@ def services(root: Path, registry: str = "127.0.0.1:1", **changes: Any) -> Servi
     return Services.load(root)
 
 
-FACTS: dict[str, Any] = {
-    "registry": "127.0.0.1:1",
-    "buildx": ["docker", "buildx"],
-    "builder": "rosml",
-    "builder_kind": "buildkitd",
-    "buildx_config": "/x/.state/buildx",
-    "uv": "/x/uv",
-    "ca_bundle": "/ca.pem",
-    "docker_hub": False,
-    "bases": [],
-}
-
-
 def load(root: Path, **changes: Any) -> Services:
-    (root / ".state").mkdir(exist_ok=True)
-    (root / ".state" / "services.json").write_text(json.dumps({**FACTS, **changes}))
-    return Services.load(root)
+    """Those of a machine with Docker, an authority of its own, and no Docker Hub."""
+    docker = {"buildx": ["docker", "buildx"], "buildx_config": "/x/.state/buildx", "uv": "/x/uv"}
+    return services(root, **{**docker, "ca_bundle": "/ca.pem", "docker_hub": False, **changes})
 
 
 HOSTILE = (

@@ -8,7 +8,6 @@ import time
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
-from random import Random
 from typing import Any
 
 import pytest
@@ -306,90 +305,6 @@ def test_an_index_without_platforms_is_a_base_image_of_any(stand_in: StandIn, tm
     with Registry(stand_in.address) as client:
         put_index(client, {**put_image(client, {**LINUX, "config": None}), "platform": None})
     assert app_base.find(f"{stand_in.address}/a:x", services(tmp_path, stand_in.address), ()).labels == {}
-
-
-# ---- Random answers --------------------------------------------------------------------------------------------------
-
-ODD: list[Any] = [
-    None, 0, -1, True, "", [], {}, [[]], [None], ["x"], {"a": {}}, 10**25, 1e300, "x", "ä", "\ud800", "\0", "\x1b[2J", "../..",
-    "sha256:", DIGEST, "a" * 5000, "\u2028",
-]  # fmt: skip
-HEADERS = ["Location", "Link", "WWW-Authenticate", "Retry-After", "Content-Type", "Docker-Content-Digest", "Content-Encoding",
-           "OCI-Subject", "Set-Cookie"]  # fmt: skip
-VALUES = [
-    "", "ä", "/v2/", "//", "?", "9" * 400, "Mon, 01 Jan 2024 99:99:99 GMT", '</v2/x>; rel="next"', '<>; rel="next"', "Basic",
-    'Bearer realm="x",scope="a b"', 'Bearer realm="', "Bearer", "a/b; charset=hex", "gzip", "chunked", "-1", "a" * 9000,
-    DIGEST, "sha256:zz", "http://user:pw@127.0.0.1:1/", "ws://x/", "http://xn--/", "http://a b/", "/\t/", *NO_HOSTS,
-]  # fmt: skip
-CODES = [*[200] * 8, 201, 202, 204, 302, 307, 401, 403, 404, 405, 429, 500]
-
-
-def mutated(random: Random, content: Any) -> Any:
-    """A document with another value somewhere in it, or without one."""
-    if not isinstance(content, dict | list) or not content or random.random() < 0.1:
-        return random.choice(ODD)
-    items: Any = dict(content) if isinstance(content, dict) else dict(enumerate(content))
-    key = random.choice(list(items))
-    items[key] = mutated(random, items[key])
-    if random.random() < 0.2:
-        del items[key]
-    return items if isinstance(content, dict) else list(items.values())
-
-
-def random_answers(random: Random) -> dict[str, Answer]:
-    """All answers of a registry that has one image, most of them with something wrong."""
-
-    def document(content: Any) -> bytes:
-        data = bytearray(json.dumps(mutated(random, content) if random.random() < 0.7 else content).encode())
-        if data and random.random() < 0.1:
-            data[random.randrange(len(data))] = random.randrange(256)
-        return bytes(data)
-
-    def answer(body: bytes, headers: dict[str, str | bytes] | None = None) -> bytes:
-        odd = {random.choice(HEADERS): random.choice(VALUES).encode("latin-1")} if random.random() < 0.3 else {}
-        return reply(random.choice(CODES), body, {**(headers or {}), **odd})
-
-    settings = {"Env": ["A=b"], "Labels": {"a": "b"}}
-    config = document({**LINUX, "config": settings, "rootfs": {"diff_ids": [DIGEST]}})
-    described = oci.descriptor(oci.CONFIG, config)
-    image = document({**WHOLE, "config": described, "layers": [described], "annotations": {"a": "b"}})
-    entry = {**oci.descriptor(oci.IMAGE, image), "platform": LINUX, "annotations": {"a": "b"}, "artifactType": "a/b"}
-    index = document({"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [entry, entry]})
-    location = random.choice(["/v2/a/blobs/uploads/1", *VALUES]).encode("latin-1")
-    return {
-        "/token": answer(document({"token": "abc", "expires_in": 300})),
-        "/tags/list": answer(document({"tags": ["x", "y"]})),
-        "/referrers/": answer(document({"manifests": [entry]})),
-        "/blobs/uploads": answer(b"", {"Location": location}),
-        f"/blobs/{described['digest']}": answer(config),
-        "/blobs/": answer(document({"errors": [{"code": "X", "message": "y"}]})),
-        f"/manifests/{oci.digest_of(image)}": answer(image),
-        "/manifests/": answer(random.choice([index, image])),
-    }
-
-
-def test_random_answers(server: Hostile, tmp_path: Path) -> None:
-    """Each is an error with a remedy, or can be read."""
-    here = services(tmp_path, server.address)
-
-    def config(client: Registry) -> object:
-        image = client.manifest("a", "x")
-        return image and (image.layers, image.members, image.annotations, client.config("a", image))
-
-    asks: list[Ask] = [*ASKS.values(), config, lambda _: app_base.find(f"{server.address}/a:x", here, ("linux/amd64",))]
-    readable = 0
-    for seed in range(200):
-        random = Random(seed)
-        server.answers = random_answers(random)
-        with Registry(server.address, credentials=lambda _: SOMEBODY) as client:
-            try:
-                random.choice(asks)(client)
-                readable += 1
-            except RosmlError as error:
-                assert error.remedy, (seed, error.message)
-            except Exception as error:
-                raise AssertionError(f"seed {seed}") from error
-    assert 20 < readable < 180, "some answers are whole, and some are not"
 
 
 # ---- Lists of files --------------------------------------------------------------------------------------------------

@@ -69,11 +69,6 @@ def test_a_promoted_image_carries_its_entry(registry: Publisher, image_set: Imag
         )
 
 
-def test_an_image_that_failed_carries_none(registry: Publisher, image_set: ImageSet) -> None:
-    run = registry.publish(image_set, only=ONLY, poisoned={TARGET})
-    assert attached(registry, run, TORCH, ARTIFACT) == [] and attached(registry, run, CORE, ARTIFACT)
-
-
 def test_an_image_carries_the_entry_of_when_its_tags_moved(
     registry: Publisher, image_set: ImageSet, project: Path
 ) -> None:
@@ -131,12 +126,6 @@ def test_records_that_were_lost_are_built_again(registry: Publisher, image_set: 
     run = registry.publish(image_set, date=NEXT)
     assert not run.failed and len(run.actions) == len(first.actions) and images(run) == images(first)
     registry.check(image_set)
-
-
-@pytest.mark.parametrize("members", [None, [], [{}], [{"digest": "sha256:1"}]])
-def test_a_tag_of_somebody_else_is_no_trouble(registry: Publisher, image_set: ImageSet, members: object) -> None:
-    registry.registry.put_manifest(ROS, "alpha-core", {"manifests": members}, "application/json")
-    assert registry.run(image_set, only=ONLY).state.entries == {}
 
 
 def test_an_entry_of_another_image_does_not_count(registry: Publisher, image_set: ImageSet) -> None:

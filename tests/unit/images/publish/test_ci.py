@@ -158,25 +158,6 @@ def test_what_is_only_to_be_tested_has_a_machine(registry: Publisher, image_set:
     assert tested <= {target for shard in plan["shards"] for target in shard["targets"]}
 
 
-def test_estimates_count_what_is_built_and_tested(registry: Publisher, image_set: ImageSet, project: Path) -> None:
-    registry.publish(image_set)
-    script = project / "components/torch/files.sh"
-    script.write_text(script.read_text() + "# a change\n")
-    plan, _ = content(registry, image_set, date=NEXT)
-    rates = image_set.matrix.rates
-    assert plan["shards"]
-    for shard in plan["shards"]:
-        tasks = [task for task in plan["tasks"] if task["architecture"] == shard["architecture"]]
-        tested = [task for task in tasks if "test" in task["steps"] and task["target"] in shard["targets"]]
-        built = [task["target"].removeprefix("part-") for task in tasks if "build" in task["steps"]]
-        sizes = [image_set.part_by_name[name].disk.unpacked for name in built if name in shard["parts"]]
-        assert tested and sizes
-        carriers = [task for task in tested if image_set.by_target[task["target"]].carriers[:1] == (task["target"],)]
-        seconds = sum(-(-size // rates.parts) for size in sizes)
-        seconds += rates.test * len(tested) + rates.carried * len(carriers)
-        assert shard["estimates"]["seconds"] == seconds
-
-
 def test_estimates_take_the_sizes_that_earlier_runs_measured(registry: Publisher, image_set: ImageSet) -> None:
     run = registry.run(image_set)
     before, planned = run.state.forecast, make_plan(run.state, 4)

@@ -17,8 +17,8 @@ from rosml.base.errors import RosmlError
 from rosml.images.image_set import locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish import scan_results
-from rosml.images.records import store
 from rosml.images.publish.scan_results import Results
+from rosml.images.records import store
 
 CORE = ("alpha-core", "amd64")
 

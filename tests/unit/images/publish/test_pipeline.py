@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import itertools
-from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
@@ -12,7 +11,6 @@ import pytest
 from conftest import SMALLER, parse
 
 from fakes.memory_registry import (
-    LATER,
     NEXT,
     PREFIX,
     Killed,
@@ -245,24 +243,6 @@ def test_force_rebuilds_everything_once(registry: Publisher, image_set: ImageSet
     run = registry.publish(image_set, date=NEXT, force=True)
     assert sorted(steps(run, "build")) == sorted(steps(first, "build"))
     assert len(run.actions) == len(set(run.actions))
-
-
-def test_a_required_scan_keeps_tags_from_all_that_it_did_not_find_clean(
-    registry: Publisher, image_set: ImageSet
-) -> None:
-    policy = "sha256:1"
-    registry.publish(image_set, scanning=policy)
-    assert not any(registry.tagged(name) for name in ("ros", "ros-torch", "part"))
-    run = registry.run(image_set, date=NEXT, scanning=policy)
-    for key, item in run.state.by_key.items():
-        if item.kind != "part" and item.target != "omega-core":
-            entry = replace(run.state.entries[key], scanned="clean", scan={"policy": policy})
-            run.records.write(entry, run.state.inputs.of(*key))
-    registry.publish(image_set, date=NEXT, scanning=policy)
-    assert "alpha-core" in registry.tagged("ros") and "omega-core" not in registry.tagged("ros")
-    assert "torch-cu1-py312" in registry.tagged("part"), "a part goes with an image that has it"
-    again = registry.publish(image_set, date=LATER, scanning=policy)
-    assert {outcome.target for outcome in again.outcomes} == {"omega-core"}
 
 
 # ---- Runs that end early, and other machines -------------------------------------------------------------------------

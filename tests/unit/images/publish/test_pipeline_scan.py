@@ -20,13 +20,13 @@ from rosml.images.image_set import restricted
 from rosml.images.image_set.labels import COVERED
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.publish import scan_results
+from rosml.images.publish.scan_results import Results
 from rosml.images.publish.steps import STEPS
 from rosml.images.publish.steps.scan import policy_digest, scan
 from rosml.images.records.store import INDEX
 from rosml.images.scan import judge as judging
 from rosml.images.scan.judge import Outcome, summarise
 from rosml.images.scan.policy import Rules
-from rosml.images.publish.scan_results import Results
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
 from rosml.images.scan.trivy import ScannerFailed
 
@@ -98,6 +98,7 @@ def test_what_the_policy_stops_gets_no_tag(registry: Publisher, alpha: Scan, wor
     assert run.failed
     assert "alpha-core" in registry.tagged("ros") and "alpha-core-cu1" in registry.tagged("ros-cuda")
     assert registry.tagged("ros-torch") == {}
+    assert "torch-cu1-py312" not in registry.tagged("part"), "a part goes with an image that has it"
     assert any("scan: policy failed" in reason for reason in waiting(run, BASE))
     entry = run.state.entries[BASE, "amd64"]
     assert entry.scan["failing"] == ["CVE-2026-2"] and entry.scan["findings"] == {"critical": 1}
@@ -114,7 +115,7 @@ def test_what_the_policy_stops_gets_no_tag(registry: Publisher, alpha: Scan, wor
     world.updated = "2026-11-23T00:00:00Z"
     fixed = replace(alpha, date=NEXT).run(world)
     assert not fixed.failed and not fixed.actions
-    assert "alpha-base-cu1" in registry.tagged("ros-torch")
+    assert "alpha-base-cu1" in registry.tagged("ros-torch") and "torch-cu1-py312" in registry.tagged("part")
     registry.check(alpha.image_set)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 import pytest
 from conftest import changed, parse
@@ -21,11 +22,22 @@ def big() -> ImageSet:
     return parse(synthetic.matrix(10 * synthetic.IMAGES))
 
 
+def everything(image_set: ImageSet, **more: Any) -> dealing.Work:
+    """All images and parts are built, and all images tested."""
+    images = frozenset((image.target, name) for image in image_set.images for name in image.architectures)
+    parts = frozenset((part.target, name) for part in image_set.parts for name in part.architectures)
+    return dealing.Work(images, images | parts, images, **more)
+
+
+def deal(image_set: ImageSet, shards: int) -> tuple[dealing.Shard, ...]:
+    return dealing.deal(image_set, shards, everything(image_set))
+
+
 # ---- Estimates -------------------------------------------------------------------------------------------------------
 
 
 def test_a_shard(small: ImageSet) -> None:
-    shards = dealing.deal(small, 4)
+    shards = deal(small, 4)
     assert [shard.name for shard in shards] == ["amd64-1", "amd64-2", "arm64-1", "arm64-2"]
     first = shards[0]
     assert (first.architecture, first.platform, first.runner) == ("amd64", "linux/amd64", "amd")
@@ -49,17 +61,14 @@ def test_a_shard(small: ImageSet) -> None:
 
 
 def test_what_took_longer_the_last_time_counts_so(small: ImageSet) -> None:
-    targets = [(image.target, "amd64") for image in small.images] + [(part.target, "amd64") for part in small.parts]
-    work = dealing.Work(frozenset(targets), frozenset(targets))
-    (before,) = dealing.deal(small, 1, work=work)
     seconds = {("alpha-core", "amd64"): {"test": 105.2, "build": 0.4}, ("part-cuda-cu1", "amd64"): {"build": 1010.0}}
-    (after,) = dealing.deal(small, 1, work=dataclasses.replace(work, seconds=seconds))
+    before, after = deal(small, 1)[0], dealing.deal(small, 1, everything(small, seconds=seconds))[0]
     assert after.estimates.seconds - before.estimates.seconds == (106 - 6) + (1010 - 10)
 
 
 def test_what_a_shard_has_already_costs_nothing(small: ImageSet) -> None:
-    apart, together = dealing.deal(small, 4), dealing.deal(small, 2)
-    names = {number: [shard.name for shard in dealing.deal(small, number)] for number in (1, 3)}
+    apart, together = deal(small, 4), deal(small, 2)
+    names = {number: [shard.name for shard in deal(small, number)] for number in (1, 3)}
     assert names == {1: ["amd64-1", "arm64-1"], 3: ["amd64-1", "amd64-2", "arm64-1"]}, "the longer one gets the third"
     assert [shard.estimates.seconds for shard in together] == [126 + 79 - 10, 76 + 44]
     assert together[0].parts.count("cuda-cu1") == 1
@@ -69,7 +78,9 @@ def test_what_a_shard_has_already_costs_nothing(small: ImageSet) -> None:
 
 
 def test_only_what_is_included(small: ImageSet) -> None:
-    shards = dealing.deal(small, 4, lambda image: image.target == "alpha-desktop-torch-cpu")
+    work = everything(small)
+    requested = frozenset(key for key in work.images if key[0] == "alpha-desktop-torch-cpu")
+    shards = dealing.deal(small, 4, dataclasses.replace(work, images=requested))
     assert [(shard.name, shard.targets) for shard in shards] == [
         ("arm64-1", ("alpha-core", "alpha-base", "alpha-desktop", "alpha-desktop-torch-cpu"))
     ]
@@ -79,7 +90,7 @@ def test_only_what_is_included(small: ImageSet) -> None:
 def test_distributions_that_share_come_together() -> None:
     image_set = parse(synthetic.matrix(16 * synthetic.IMAGES))
     system = {name: row.os for name, row in image_set.matrix.distributions.items()}
-    for shard in dealing.deal(image_set, 16):
+    for shard in deal(image_set, 16):
         assert len(shard.distributions) == 2
         assert len({system[name] for name in shard.distributions}) == 1
 
@@ -89,7 +100,7 @@ def test_distributions_that_share_come_together() -> None:
 
 @pytest.mark.parametrize("number", [2, 7, 12, 99])
 def test_every_plan(big: ImageSet, number: int) -> None:
-    shards = dealing.deal(big, number)
+    shards = deal(big, number)
     assert len(shards) == min(number, 20)
     expected = {(image.target, architecture) for image in big.images for architecture in image.architectures}
     built = [(target, shard.architecture) for shard in shards for target in shard.targets]
@@ -112,9 +123,9 @@ def test_every_plan(big: ImageSet, number: int) -> None:
 @pytest.mark.parametrize("number", [4, 8, 12])
 def test_balanced(big: ImageSet, number: int) -> None:
     """No shard takes longer than its fair share of all the work and the longest unit together."""
-    units = dealing.deal(big, 99)
+    units = deal(big, 99)
     longest = max(unit.estimates.seconds for unit in units)
-    shards = dealing.deal(big, number)
+    shards = deal(big, number)
     assert (
         max(shard.estimates.seconds for shard in shards)
         <= sum(unit.estimates.seconds for unit in units) / number + longest
@@ -124,7 +135,7 @@ def test_balanced(big: ImageSet, number: int) -> None:
 def test_work_grows_with_the_images_and_not_with_their_square() -> None:
     """Ten times the images; with their square it would be 100 times the work."""
     few, many = (parse(synthetic.matrix(images)) for images in (400, 4_000))
-    assert calls(lambda: dealing.deal(many, 20)) < 12 * calls(lambda: dealing.deal(few, 20))
+    assert calls(lambda: deal(many, 20)) < 12 * calls(lambda: deal(few, 20))
 
 
 # ---- What the matrix does not say ------------------------------------------------------------------------------------
@@ -132,7 +143,7 @@ def test_work_grows_with_the_images_and_not_with_their_square() -> None:
 
 def test_nobody_says_where_an_architecture_is_built() -> None:
     with pytest.raises(RosmlError, match=r"architectures.arm64: 'runner' is missing") as caught:
-        dealing.deal(parse(changed(", runner: arm", "")), 2)
+        deal(parse(changed(", runner: arm", "")), 2)
     assert "runner: ubuntu-24.04" in caught.value.remedy
     assert caught.value.exit_code == 2
 
@@ -140,10 +151,4 @@ def test_nobody_says_where_an_architecture_is_built() -> None:
 def test_an_architecture_that_nothing_is_built_for_needs_no_runner() -> None:
     text = changed(", runner: arm", "", changed("default_stack: cpu", "default_stack: cu1"))
     text = text.replace("architectures: [amd64, arm64]", "architectures: [amd64]")
-    assert [shard.architecture for shard in dealing.deal(parse(text), 1)] == ["amd64"]
-
-
-@pytest.mark.parametrize("rate", ["0", "-1", "2.5", "fast", "100000"])
-def test_rates_that_are_none(rate: str) -> None:
-    with pytest.raises(RosmlError, match=r"matrix.yaml:\d+:\d+: rates.packages: expected"):
-        parse(changed("{packages: 10,", f"{{packages: {rate},"))
+    assert [shard.architecture for shard in deal(parse(text), 1)] == ["amd64"]

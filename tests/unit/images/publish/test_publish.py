@@ -157,12 +157,6 @@ def test_a_run_waits_for_another_one_of_its_checkout(
         assert places
 
 
-def test_force_makes_it_anew(stage: Stage) -> None:
-    for _ in range(2):
-        assert stage.image(TARGET, "--force") == 0
-    assert [len(run.actions) for run in stage.runs] == [7, 6], "the same digest passed its tests before"
-
-
 def test_another_architecture_is_built_and_tested_and_gets_no_tag(
     stage: Stage, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -204,14 +198,6 @@ def test_the_next_call_continues_after_a_failure(
         assert [target for _, target, _ in stage.runs[1].actions] == rest
 
 
-def test_tags_stay_where_they_were_after_a_failure(stage: Stage) -> None:
-    assert stage.image(TARGET) == 0
-    before = stage.tags()
-    stage.options = {"poisoned": {TARGET}, "packages": "2"}
-    assert stage.image(TARGET, "--force") == 1
-    assert stage.tags() == before
-
-
 def test_a_base_image_that_cannot_be_had(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
     stage.place.services = replace(stage.place.services, bases=tuple(OFFLINE))
     assert stage.image(TARGET) == 1
@@ -219,15 +205,6 @@ def test_a_base_image_that_cannot_be_had(stage: Stage, capsys: pytest.CaptureFix
     assert f"{TARGET} gets no tag: waiting for a builder: docker.io/library/ubuntu:24.04 is on Docker Hub" in error
     assert "or name one that answers: OS_UBUNTU_24_04=" in error
     assert not stage.runs[0].actions
-
-
-def test_tags_that_were_moved_back_stay(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
-    assert stage.image(TARGET) == 0
-    stage.place.undo()
-    capsys.readouterr()
-    assert stage.image(TARGET) == 1
-    assert "gets no tag: its tags were moved back" in capsys.readouterr().err
-    assert not stage.tags()
 
 
 def test_no_room(stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
@@ -301,9 +278,3 @@ def test_a_wrong_argument_ends_the_command_before_anything_else(
     assert stage.image(*arguments) == 2
     assert error in capsys.readouterr().err
     assert not calls(stage.folder)
-
-
-def test_committed_files_are_left_alone(stage: Stage) -> None:
-    (stage.folder / "docker-bake.hcl").write_text("# somebody's edit\n")
-    assert stage.image(TARGET) == 0
-    assert (stage.folder / "docker-bake.hcl").read_text() == "# somebody's edit\n"

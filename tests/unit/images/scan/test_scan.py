@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from dataclasses import replace
 from datetime import timedelta
 from pathlib import Path
 from typing import Any
@@ -13,7 +14,8 @@ from click.testing import CliRunner
 from conftest import ROOT
 
 from fakes.http_registry import standing_in
-from fakes.scanning import NOW, VERSION, Memory, World, advisory, digest, image, rules, sbom_of
+from fakes.memory_registry import MemoryRegistry, sbom_of
+from fakes.scanning import NOW, VERSION, World, advisory, digest, image, rules
 from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
@@ -395,7 +397,8 @@ def test_the_records_vouch_for_no_sbom_of_another_image(world: World, field: str
     part, other = base(world), harmless(world, "harmless")
     content = sbom_of((other if field == "content" else part).reference, ["bash"], "12.15")
     annotations = {} if field == "format" else sbom.FORMAT
-    world.records[part.digest] = world.attach(other if field == "subject" else part, content, annotations)
+    subject = replace(part, digest=other.digest) if field == "subject" else part
+    world.records[part.digest] = world.attach(subject, content, annotations)
     scan = scanned(world, part)
     assert scan.outcome is Outcome.SCANNER_FAILED
     assert scan.reason == "alpha-base: what the records name as its SBOM is another thing"
@@ -406,12 +409,12 @@ def test_an_image_without_an_sbom(world: World) -> None:
     artifact = world.records.pop(part.digest)
     assert scanned(world, part).reason == "alpha-base: the records name no SBOM of it"
     world.records[part.digest] = artifact
-    world.memory.attached.clear()
+    world.memory.manifests.clear()
     assert scanned(world, part).reason == "alpha-base: its SBOM is not there"
 
 
 def test_a_registry_that_fails(world: World) -> None:
-    class Broken(Memory):
+    class Broken(MemoryRegistry):
         def manifest(self, repository: str, reference: str) -> Any:
             raise RosmlError("the registry answers 503", "try again")
 
