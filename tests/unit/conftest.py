@@ -23,7 +23,7 @@ if FORK:  # unit tests are about rosml, whose matrix a fork with a set still has
     os.environ["ROSML_MATRIX"] = "matrix.yaml"
 
 from fakes import projects  # noqa: E402
-from fakes.http_registry import StandIn, standing_in  # noqa: E402
+from fakes.http_registry import LocalRegistry, local_registry  # noqa: E402
 from rosml.images.image_set import load, locked  # noqa: E402
 from rosml.images.image_set import model as sets  # noqa: E402
 from rosml.images.matrix import (  # noqa: E402
@@ -184,8 +184,8 @@ def changed(place: str, replacement: str, text: str = SMALL) -> str:
 
 
 @pytest.fixture
-def stand_in() -> Iterator[StandIn]:
-    with standing_in() as server:
+def server() -> Iterator[LocalRegistry]:
+    with local_registry() as server:
         yield server
 
 
@@ -201,7 +201,7 @@ def real() -> sets.ImageSet:
 
 @pytest.fixture(scope="session")
 def registry() -> Iterator[str]:
-    with standing_in() as server:
+    with local_registry() as server:
         yield server.address
 
 

@@ -14,7 +14,7 @@ from bench import cli, results, scale
 from bench.results import Result
 from bench.scale_facts import FACTS, STEPS, Step, fact
 from bench.scale_night import LOCKS, MOVED, USUAL, Bucket, Disk, Load, Night, scaled
-from fakes.http_registry import standing_in
+from fakes.http_registry import local_registry
 from fakes.memory_registry import DAY, NEXT, Publisher, publisher
 from fakes.rebasing import BASE_FACTS, App, changed, moving, package
 from fakes.stubs import services
@@ -61,7 +61,7 @@ def test_requests_of_a_night(image_set: ImageSet, project: Path, monkeypatch: py
     """Of the second night, in which packages have changed, in a registry without the referrers API."""
     here = publisher(project, services(project), monkeypatch)
     steps: dict[str, Step] = {}
-    with standing_in() as server:
+    with local_registry() as server:
         for date, state in ((DAY, "1"), (NEXT, "2")):
             here.packages = dict.fromkeys(image_set.matrix.distributions, state)
             for step, function in REAL.items():

@@ -23,7 +23,7 @@ from click.testing import CliRunner
 from conftest import ROOT, SMALL
 
 import rosml
-from fakes.http_registry import standing_in
+from fakes.http_registry import local_registry
 from rosml.base import addresses, environment
 from rosml.cli import checkout, main
 from rosml.images.image_set import load
@@ -220,7 +220,7 @@ def test_what_needs_no_checkout(wheel: Path, tmp_path: Path) -> None:
 
 
 def test_states_of_a_registry(wheel: Path, tmp_path: Path) -> None:
-    with standing_in() as place:
+    with local_registry() as place:
         options = ("--registry", f"{place.address}/rosml", "--only", IMAGES[0].target, "--json")
         done = installed(wheel, tmp_path, "status", *options)
         assert done.returncode == 0, done.stderr
@@ -232,7 +232,7 @@ def test_states_of_a_registry(wheel: Path, tmp_path: Path) -> None:
 
 
 def test_an_image_is_joined(wheel: Path, tmp_path: Path) -> None:
-    with standing_in() as place, Registry(place.address) as client:
+    with local_registry() as place, Registry(place.address) as client:
         ros = parts.ros().put(client, "me/ros", "ros1-bookworm-core", ["linux/amd64"])
         stack_parts = parts.stack(client, "me/part", ("cuda", "common", "torch"), "cu128")
         tag = f"{place.address}/me/mine:latest"

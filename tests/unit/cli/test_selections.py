@@ -16,7 +16,7 @@ from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 from fakes import memory_registry, stubs
-from fakes.http_registry import StandIn, standing_in
+from fakes.http_registry import LocalRegistry, local_registry
 from fakes.memory_registry import DAY, NEXT, MemoryRegistry
 from rosml.cli import command, main
 from rosml.cli.images import call, catalogue, generate, image, locks, part, publish
@@ -57,7 +57,7 @@ COMMANDS: dict[str, click.Command] = {
 
 
 class Shop:
-    def __init__(self, root: Path, server: StandIn, content: StandIn) -> None:
+    def __init__(self, root: Path, server: LocalRegistry, content: LocalRegistry) -> None:
         self.root, self.host, self.server, self.content = root, server.address, server, content
 
     def reset(self) -> None:
@@ -69,7 +69,7 @@ class Shop:
 # ---- What there is ---------------------------------------------------------------------------------------------------
 
 
-def copied(content: StandIn, registry: MemoryRegistry, prefix: str) -> None:
+def copied(content: LocalRegistry, registry: MemoryRegistry, prefix: str) -> None:
     def renamed(repository: str) -> str:
         return f"{prefix}/{repository.partition('/')[2]}"
 
@@ -94,16 +94,16 @@ def shop(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Shop]:
             (root / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / name, root / name)
     subprocess.run(["git", "init", "--quiet"], cwd=root, check=True)
-    with standing_in() as server:
+    with local_registry() as server:
         services = stubs.services(root, registry=server.address)
-        content = StandIn()
+        content = LocalRegistry()
         with pytest.MonkeyPatch.context() as patch:
             fill(content, root, services, patch)
         server.referrers = True
         yield Shop(root, server, content)
 
 
-def fill(content: StandIn, root: Path, services: Services, patch: pytest.MonkeyPatch) -> None:
+def fill(content: LocalRegistry, root: Path, services: Services, patch: pytest.MonkeyPatch) -> None:
     for prefix in ("published", "half", "failed", "moved"):
         place = memory_registry.publisher(root, services, patch)
         place.packages = dict.fromkeys(REAL.matrix.distributions, "monday")

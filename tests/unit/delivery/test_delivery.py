@@ -39,7 +39,7 @@ from fakes.delivery import (
     sparse,
     text_in,
 )
-from fakes.http_registry import DROP, standing_in
+from fakes.http_registry import DROP, local_registry
 from rosml.cli import command, main
 from rosml.delivery import archive, delta
 from rosml.images.join.layers import Source
@@ -52,7 +52,7 @@ def shop(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Shop]:
     monkeypatch.setenv("PATH", f"{tmp_path}/bin")
     monkeypatch.delenv("ROSML_ENGINE", raising=False)
     monkeypatch.setattr(retries, "WAIT", 0.001)
-    with standing_in() as server:
+    with local_registry() as server:
         yield Shop(server, tmp_path)
 
 

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from fakes import archives
-from fakes.http_registry import StandIn
+from fakes.http_registry import LocalRegistry
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize.build import app
 from rosml.containerize.build.result import Result
@@ -139,8 +139,8 @@ def leave(target: Mapping[str, Any], entries: Mapping[str, archives.Content]) ->
 
 
 @pytest.fixture
-def services(stand_in: StandIn, tmp_path: Path) -> Services:
-    return Services(tmp_path / "rosml", stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", bases=())
+def services(server: LocalRegistry, tmp_path: Path) -> Services:
+    return Services(tmp_path / "rosml", server.address, ("buildx",), "rosml", "buildkitd", None, "", "", bases=())
 
 
 @pytest.fixture

@@ -11,7 +11,7 @@ from pathlib import Path
 from random import Random
 from typing import Any
 
-from fakes.http_registry import StandIn
+from fakes.http_registry import LocalRegistry
 from rosml.base import archives
 from rosml.base.archives import zstd
 from rosml.cli import command, main
@@ -75,7 +75,7 @@ def config(tag: str, architecture: str) -> bytes:
 class Shop:
     """A registry with images, and a robot with an engine that is a local replacement."""
 
-    def __init__(self, server: StandIn, folder: Path) -> None:
+    def __init__(self, server: LocalRegistry, folder: Path) -> None:
         self.server, self.folder, self.place = server, folder, f"{server.address}/t"
         self.here = native_architecture()
         registry = Registry(server.address)

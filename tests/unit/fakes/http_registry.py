@@ -42,7 +42,7 @@ class Fault:
 
 
 @dataclass
-class StandIn:
+class LocalRegistry:
     """The content of the registry, and how it behaves.
 
     Attributes:
@@ -104,7 +104,7 @@ class StandIn:
 class _Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     wbufsize = -1  # headers and body together: the other side need not wait for the second packet
-    registry: StandIn
+    registry: LocalRegistry
 
     def _handle(self) -> None:
         body = self.rfile.read(int(self.headers.get("Content-Length") or 0))
@@ -301,9 +301,9 @@ class _Server(ThreadingHTTPServer):
 
 
 @contextmanager
-def standing_in(tls: ssl.SSLContext | None = None) -> Iterator[StandIn]:
+def local_registry(tls: ssl.SSLContext | None = None) -> Iterator[LocalRegistry]:
     """A registry that answers as long as this, over TLS if there is a context."""
-    registry = StandIn()
+    registry = LocalRegistry()
     handler = type("Handler", (_Handler,), {"registry": registry})
     with _Server(("127.0.0.1", 0), handler) as server:
         registry.address = f"127.0.0.1:{server.server_port}"

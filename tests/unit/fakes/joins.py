@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from fakes.http_registry import StandIn, standing_in
+from fakes.http_registry import LocalRegistry, local_registry
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import labels
 from rosml.images.join.joiner import Joiner, JoinReport
@@ -30,7 +30,7 @@ GRAPH: tuple[str, ...] = ("graph-cc", "graph")
 class Place:
     """A registry, and who joins in it."""
 
-    def __init__(self, server: StandIn) -> None:
+    def __init__(self, server: LocalRegistry) -> None:
         self.server, self.lines = server, list[str]()
         self.registry = Registry(server.address)
         self.clients: dict[str, Registry] = {server.address: self.registry}
@@ -91,7 +91,7 @@ def joining(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
     monkeypatch.setattr(retries, "WAIT", 0.001)
     monkeypatch.setattr(retries, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(folder / "docker"))
-    with standing_in() as server:
+    with local_registry() as server:
         place = Place(server)
         yield place
         for registry in place.clients.values():

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from fakes.http_registry import StandIn, standing_in
+from fakes.http_registry import LocalRegistry, local_registry
 from rosml.base.errors import RosmlError
 from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.lock import Image, Lock
@@ -166,7 +166,7 @@ def attach(registry: Registry, repository: str, subject: Mapping[str, Any], docu
 class Place:
     """A registry, and who moves apps in it."""
 
-    def __init__(self, server: StandIn, folder: Path) -> None:
+    def __init__(self, server: LocalRegistry, folder: Path) -> None:
         self.server, self.messages = server, list[str]()
         self.registry = Registry(server.address)
         self.services = replace(Services.load(folder, required=False), registry=server.address)
@@ -317,7 +317,7 @@ def moving(folder: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
     monkeypatch.setattr(retries, "WAIT", 0.001)
     monkeypatch.setattr(retries, "LONGEST_WAIT", 0.01)
     monkeypatch.setenv("DOCKER_CONFIG", str(folder / "docker"))
-    with standing_in() as server:
+    with local_registry() as server:
         place = Place(server, folder)
         yield place
         place.registry.close()

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from fakes.http_registry import standing_in
+from fakes.http_registry import local_registry
 from fakes.stubs import OFFLINE, buildx, calls, load
 from offline import assembler, debian
 from rosml.base.errors import RosmlError
@@ -83,7 +83,7 @@ def test_a_foreign_architecture_under_emulation(tmp_path: Path, monkeypatch: pyt
         calls.append((suite, architecture))
         return f"sha256:{architecture}"
 
-    with standing_in() as registry, Registry(registry.address) as client:
+    with local_registry() as registry, Registry(registry.address) as client:
         digests = {
             name: client.put_manifest("library/debian", "", {"schemaVersion": 2, "annotations": {"of": name}})
             for name in ("amd64", "arm64")
@@ -161,7 +161,7 @@ def test_no_mmdebstrap(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_push_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     fake_mmdebstrap(tmp_path, 'tar --create --file "${@: -1}" --files-from /dev/null', monkeypatch)
     folder = tmp_path / ".state/base/bookworm"
-    with standing_in() as registry, pytest.raises(RosmlError, match="405"):
+    with local_registry() as registry, pytest.raises(RosmlError, match="405"):
         registry.fault("PUT", "/manifests/", 405)
         debian.make(load(tmp_path, registry=registry.address), "bookworm", "amd64", folder)
     assert not folder.exists()
@@ -172,7 +172,7 @@ def test_an_image_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     fake_mmdebstrap(
         tmp_path, f'echo >>{tmp_path}/calls; tar --create --file "${{@: -1}}" --files-from /dev/null', monkeypatch
     )
-    with standing_in() as registry:
+    with local_registry() as registry:
         services = load(tmp_path, registry=registry.address)
         digests = {debian.debian(services, "bookworm", native_architecture()) for _ in range(2)}
         assert len(digests) == 1 and len(calls(tmp_path)) == 1

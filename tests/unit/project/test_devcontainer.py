@@ -16,7 +16,7 @@ from typing import Any
 import pytest
 from conftest import ROOT
 
-from fakes.http_registry import Fault, StandIn, standing_in
+from fakes.http_registry import Fault, LocalRegistry, local_registry
 from rosml.registry import oci
 from rosml.registry.client import Registry
 
@@ -58,8 +58,8 @@ def put(client: Registry, name: str, python: str, architecture: str = ARCHITECTU
 
 
 @pytest.fixture
-def registry() -> Iterator[StandIn]:
-    with standing_in() as server:
+def registry() -> Iterator[LocalRegistry]:
+    with local_registry() as server:
         with Registry(server.address) as client:
             put(client, "cuda-cu130", "any")
             for name in ("common", "torch", "tensorflow", "onnx"):
@@ -74,14 +74,14 @@ def add(reference: str, root: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
-def test_an_addon_comes_with_what_it_needs(registry: StandIn, tmp_path: Path) -> None:
+def test_an_addon_comes_with_what_it_needs(registry: LocalRegistry, tmp_path: Path) -> None:
     done = add(f"{registry.address}/me/part:onnx-cu130-py{SHORT}", tmp_path)
     assert done.returncode == 0, done.stderr
     names = {path.name for path in (tmp_path / "opt").iterdir()}
     assert names == {"cuda-cu130", f"common-cu130-py{SHORT}", f"onnx-cu130-py{SHORT}", "last"}
 
 
-def test_a_part_comes_with_what_it_needs(registry: StandIn, tmp_path: Path) -> None:
+def test_a_part_comes_with_what_it_needs(registry: LocalRegistry, tmp_path: Path) -> None:
     done = add(f"{registry.address}/me/part:torch-cu130-py{SHORT}", tmp_path)
     assert done.returncode == 0, done.stderr
     assert {path.name for path in (tmp_path / "opt").iterdir()} == {
@@ -92,7 +92,7 @@ def test_a_part_comes_with_what_it_needs(registry: StandIn, tmp_path: Path) -> N
     assert (tmp_path / "opt/last").read_text() == f"torch-cu130-py{SHORT}", "in the order of all images"
 
 
-def test_the_feature_calls_it(registry: StandIn, tmp_path: Path) -> None:
+def test_the_feature_calls_it(registry: LocalRegistry, tmp_path: Path) -> None:
     options = json.loads((FEATURE / "devcontainer-feature.json").read_text())["options"]
     assert [name.upper() for name in options] == ["PART"]
     done = subprocess.run([FEATURE / "install.sh"], env={"PATH": "/bin", "PART": ""}, capture_output=True, text=True)
@@ -107,7 +107,7 @@ def test_the_feature_calls_it(registry: StandIn, tmp_path: Path) -> None:
         ("nothing", "there is none; check the name"),
     ],
 )
-def test_a_part_that_does_not_fit_is_refused(name: str, says: str, registry: StandIn, tmp_path: Path) -> None:
+def test_a_part_that_does_not_fit_is_refused(name: str, says: str, registry: LocalRegistry, tmp_path: Path) -> None:
     done = add(f"{registry.address}/me/part:{name}", tmp_path)
     assert done.returncode == 1 and says in done.stderr
     assert not [*tmp_path.iterdir()]
@@ -118,7 +118,7 @@ def test_a_part_is_named_with_its_registry(reference: str, tmp_path: Path) -> No
     assert "is no part with its registry" in add(reference, tmp_path).stderr
 
 
-def test_what_a_registry_sends_is_compared(registry: StandIn, tmp_path: Path) -> None:
+def test_what_a_registry_sends_is_compared(registry: LocalRegistry, tmp_path: Path) -> None:
     key = next(key for key, blob in registry.blobs.items() if blob == layer("cuda-cu130"))
     registry.blobs[key] = layer("cuda-cu130x")
     done = add(f"{registry.address}/me/part:torch-cu130-py{SHORT}", tmp_path)
@@ -127,7 +127,7 @@ def test_what_a_registry_sends_is_compared(registry: StandIn, tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("kind", ["manifest", "config"])
-def test_what_a_registry_says_of_a_part_is_compared(kind: str, registry: StandIn, tmp_path: Path) -> None:
+def test_what_a_registry_says_of_a_part_is_compared(kind: str, registry: LocalRegistry, tmp_path: Path) -> None:
     """Another manifest brings other layers, with digests that fit; another config says that the part needs none."""
     name = f"torch-cu130-py{SHORT}"
     with Registry(registry.address) as client:
@@ -154,20 +154,20 @@ def place(content: dict[Any, Any], digest: str) -> Any:
 
 
 @pytest.mark.parametrize(("status", "says"), [(403, "it wants a password"), (500, "HTTP 500")])
-def test_a_registry_that_refuses_is_named(status: int, says: str, registry: StandIn, tmp_path: Path) -> None:
+def test_a_registry_that_refuses_is_named(status: int, says: str, registry: LocalRegistry, tmp_path: Path) -> None:
     registry.faults.append(Fault("GET", "manifests", status, times=9))
     done = add(f"{registry.address}/me/part:torch-cu130-py{SHORT}", tmp_path)
     assert done.returncode == 1 and says in done.stderr
 
 
-def test_a_registry_that_wants_a_token_gives_everybody_one(registry: StandIn, tmp_path: Path) -> None:
+def test_a_registry_that_wants_a_token_gives_everybody_one(registry: LocalRegistry, tmp_path: Path) -> None:
     registry.bearer = True
     done = add(f"{registry.address}/me/part:torch-cu130-py{SHORT}", tmp_path)
     assert done.returncode == 0, done.stderr
     assert registry.tokens, "it gave one"
 
 
-def test_a_file_of_this_machine_is_no_server_for_tokens(registry: StandIn, tmp_path: Path) -> None:
+def test_a_file_of_this_machine_is_no_server_for_tokens(registry: LocalRegistry, tmp_path: Path) -> None:
     (tmp_path / "token.json").write_text('{"token": "x"}')
     registry.bearer, registry.realm = True, f"file://{tmp_path}/token.json"
     done = add(f"{registry.address}/me/part:torch-cu130-py{SHORT}", tmp_path)

@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 import trustme
 
-from fakes.http_registry import standing_in
+from fakes.http_registry import local_registry
 from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.machine import trust
@@ -43,7 +43,7 @@ def tls(authority: trustme.CA, name: str = "127.0.0.1", valid: int = 1) -> Itera
     leaf = authority.issue_cert(name, not_before=NOW - 3 * DAY, not_after=NOW + valid * DAY)
     context = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
     leaf.configure_cert(context)
-    with standing_in(context) as server:
+    with local_registry(context) as server:
         yield server.address
 
 

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from fakes.http_registry import DROP, StandIn, standing_in
+from fakes.http_registry import DROP, LocalRegistry, local_registry
 from rosml.base.errors import RosmlError
 from rosml.registry import oci, retries
 from rosml.registry.client import Registry
@@ -33,8 +33,8 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def registry(stand_in: StandIn) -> Iterator[Registry]:
-    with Registry(stand_in.address) as client:
+def registry(server: LocalRegistry) -> Iterator[Registry]:
+    with Registry(server.address) as client:
         yield client
 
 
@@ -87,27 +87,27 @@ def test_same_content_same_digest(registry: Registry) -> None:
     assert registry.put_manifest("a", "x", MANIFEST) == registry.put_manifest("a", "y", turned)
 
 
-def test_tags_come_in_pages(stand_in: StandIn, registry: Registry) -> None:
-    stand_in.page = 7
-    stand_in.tags["a"] = {f"t{number:03}": "d" for number in range(50)}
-    assert registry.tags("a") == sorted(stand_in.tags["a"])
-    assert stand_in.count("tags/list") == 8
+def test_tags_come_in_pages(server: LocalRegistry, registry: Registry) -> None:
+    server.page = 7
+    server.tags["a"] = {f"t{number:03}": "d" for number in range(50)}
+    assert registry.tags("a") == sorted(server.tags["a"])
+    assert server.count("tags/list") == 8
 
 
-def test_a_blob_is_sent_once_and_mounted(stand_in: StandIn, registry: Registry) -> None:
+def test_a_blob_is_sent_once_and_mounted(server: LocalRegistry, registry: Registry) -> None:
     for _ in range(2):
         digest = registry.put_blob("a", b"hello")
     assert (registry.has_blob("a", digest), registry.has_blob("b", digest)) == (True, False)
     assert registry.mount("b", digest, "a") and registry.has_blob("b", digest)
-    stand_in.mounts = False
+    server.mounts = False
     assert not registry.mount("c", digest, "a")
-    assert stand_in.aborted == 1, "the upload that was begun instead is ended"
-    assert (stand_in.count("^PUT"), registry.uploaded, registry.sent_by_this_thread) == (1, 5, 5)
+    assert server.aborted == 1, "the upload that was begun instead is ended"
+    assert (server.count("^PUT"), registry.uploaded, registry.sent_by_this_thread) == (1, 5, 5)
 
 
-def test_copy_from_another_registry(stand_in: StandIn, registry: Registry) -> None:
+def test_copy_from_another_registry(server: LocalRegistry, registry: Registry) -> None:
     data = bytes(range(256)) * 20_000
-    with standing_in() as other, Registry(other.address) as source:
+    with local_registry() as other, Registry(other.address) as source:
         digest = source.put_blob("far/away", data)
         other.fault("GET", "/blobs/", 503)
         other.fault("GET", "/blobs/", DROP)
@@ -116,35 +116,35 @@ def test_copy_from_another_registry(stand_in: StandIn, registry: Registry) -> No
         other.blobs["far/away", digest] = data[::-1]
         with pytest.raises(RosmlError, match="has another digest"):
             registry.copy_blob("damaged", digest, len(data), source, "far/away")
-    assert [repository for repository, _ in stand_in.blobs] == ["here"]
+    assert [repository for repository, _ in server.blobs] == ["here"]
 
 
-def test_content_that_has_another_digest(stand_in: StandIn, registry: Registry) -> None:
+def test_content_that_has_another_digest(server: LocalRegistry, registry: Registry) -> None:
     blob, digest = registry.put_blob("a", b"hello"), registry.put_manifest("a", "x", MANIFEST)
-    stand_in.blobs["a", blob] = b"jello"
-    stand_in.manifests["a", digest] = (oci.IMAGE, b"{}")
+    server.blobs["a", blob] = b"jello"
+    server.manifests["a", digest] = (oci.IMAGE, b"{}")
     for call in (lambda: registry.blob("a", blob), lambda: registry.manifest("a", digest), lambda: registry.tag("a", digest, "y")):  # fmt: skip
         with pytest.raises(RosmlError, match="has another digest"):
             call()
-    assert "y" not in stand_in.tags["a"]
+    assert "y" not in server.tags["a"]
 
 
-def test_a_registry_that_deletes_nothing(stand_in: StandIn, registry: Registry) -> None:
-    stand_in.deletes = False
+def test_a_registry_that_deletes_nothing(server: LocalRegistry, registry: Registry) -> None:
+    server.deletes = False
     for reference, text in ((DIGEST, "deletes nothing"), ("x", "deletes no tag")):
         with pytest.raises(RosmlError, match=text):
             registry.delete("a", reference)
 
 
 @pytest.mark.parametrize("kind", [400, 403, 404, 405, 503])
-def test_a_registry_that_discards_nothing_is_asked_once(stand_in: StandIn, registry: Registry, kind: int) -> None:
+def test_a_registry_that_discards_nothing_is_asked_once(server: LocalRegistry, registry: Registry, kind: int) -> None:
     """404 as well, where the manifest is still in the registry; and once only, if it has no time."""
-    stand_in.fault("DELETE", "/manifests/", kind, retries.ATTEMPTS)
+    server.fault("DELETE", "/manifests/", kind, retries.ATTEMPTS)
     digest = registry.put_manifest("a", "x", MANIFEST)
     for _ in range(2):
         registry.discard("a", digest)
-        assert stand_in.count("^DELETE") == 1 and registry.head("a", digest) == digest
-    stand_in.faults.clear()
+        assert server.count("^DELETE") == 1 and registry.head("a", digest) == digest
+    server.faults.clear()
     other = registry.put_manifest("b", "x", MANIFEST)
     registry.discard("b", DIGEST)  # somebody else removed it, so the registry can delete
     registry.discard("b", other)
@@ -153,7 +153,7 @@ def test_a_registry_that_discards_nothing_is_asked_once(stand_in: StandIn, regis
 
 @pytest.mark.parametrize("method", ["GET", "HEAD"])
 def test_a_manifest_that_is_redirected_elsewhere_is_not_missing(
-    stand_in: StandIn, registry: Registry, method: str
+    server: LocalRegistry, registry: Registry, method: str
 ) -> None:
     """The other host has no manifests, and its 404 would let a tag move without a look at where it was."""
     digest = registry.put_manifest("a", "x", MANIFEST)
@@ -162,16 +162,16 @@ def test_a_manifest_that_is_redirected_elsewhere_is_not_missing(
         manifest = registry.manifest("a", "x") if method == "GET" else None
         return manifest.digest if manifest else registry.head("a", "x")
 
-    with standing_in() as elsewhere:
+    with local_registry() as elsewhere:
         headers = {"Location": f"http://{elsewhere.address}/v2/a/manifests/x?signed=s3cret"}
-        stand_in.fault(method, "/manifests/", 307, 2, headers=headers)
+        server.fault(method, "/manifests/", 307, 2, headers=headers)
         assert ask() == digest, "it passes"
-        stand_in.fault(method, "/manifests/", 307, retries.ATTEMPTS, headers=headers)
+        server.fault(method, "/manifests/", 307, retries.ATTEMPTS, headers=headers)
         with pytest.raises(RosmlError, match=r"a redirect to 127\.0\.0\.1") as caught:
             ask()
         assert "s3cret" not in caught.value.message and "run it again" in caught.value.remedy
         assert elsewhere.requests == []
-    stand_in.fault(method, "/manifests/x$", 307, headers={"Location": f"/v2/a/manifests/{digest}"})
+    server.fault(method, "/manifests/x$", 307, headers={"Location": f"/v2/a/manifests/{digest}"})
     assert ask() == digest, "within the registry it is followed"
 
 
@@ -179,8 +179,8 @@ def test_a_manifest_that_is_redirected_elsewhere_is_not_missing(
 
 
 @pytest.mark.parametrize("api", [True, False])
-def test_without_the_api_referrers_have_the_fallback_tag(stand_in: StandIn, registry: Registry, api: bool) -> None:
-    stand_in.referrers = api
+def test_without_the_api_referrers_have_the_fallback_tag(server: LocalRegistry, registry: Registry, api: bool) -> None:
+    server.referrers = api
     subject = put_subject(registry)
     layer = oci.descriptor("text/plain", b"two")
     registry.put_blob("a", b"two")
@@ -188,7 +188,7 @@ def test_without_the_api_referrers_have_the_fallback_tag(stand_in: StandIn, regi
     manifest = registry.manifest("a", digest)
     assert manifest and [item.digest for item in manifest.layers] == [oci.digest_of(b"one"), layer["digest"]]
     assert attached(registry, subject) == [digest]
-    assert stand_in.tags["a"].keys() == ({"x"} if api else {"x", subject["digest"].replace(":", "-")})
+    assert server.tags["a"].keys() == ({"x"} if api else {"x", subject["digest"].replace(":", "-")})
 
 
 @pytest.mark.parametrize(
@@ -196,27 +196,27 @@ def test_without_the_api_referrers_have_the_fallback_tag(stand_in: StandIn, regi
     [(303, 1, b""), (404, 1, PAGE), (429, retries.ATTEMPTS, b""), (200, 1, PAGE), (200, 1, b"[]"), (400, 1, b"")],
 )
 def test_an_answer_that_is_no_index_means_that_there_is_no_api(
-    stand_in: StandIn, registry: Registry, code: int, times: int, body: bytes
+    server: LocalRegistry, registry: Registry, code: int, times: int, body: bytes
 ) -> None:
     """ghcr.io redirects to a page for people; nobody asks that page, and the registry is not asked again."""
-    with standing_in() as pages:
+    with local_registry() as pages:
         headers = {"Location": f"http://{pages.address}/me/a"} if code == 303 else {}
-        stand_in.fault("GET", "/referrers/", code, 1000, body=body, headers=headers)
+        server.fault("GET", "/referrers/", code, 1000, body=body, headers=headers)
         subject = put_subject(registry)
         assert attached(registry, subject) == []
         digest = registry.attach("a", subject, TYPE, b"one", "text/plain")
         assert attached(registry, subject) == [digest]
-        assert stand_in.count("/referrers/") == times
+        assert server.count("/referrers/") == times
         assert pages.requests == []
 
 
-def test_a_registry_that_has_the_api_does_not_lose_it_for_a_moment(stand_in: StandIn, registry: Registry) -> None:
-    stand_in.referrers = True
+def test_a_registry_that_has_the_api_does_not_lose_it_for_a_moment(server: LocalRegistry, registry: Registry) -> None:
+    server.referrers = True
     subject = put_subject(registry)
     digest = registry.attach("a", subject, TYPE, b"one", "text/plain")
-    stand_in.fault("GET", "/referrers/", 429, 2)
+    server.fault("GET", "/referrers/", 429, 2)
     assert attached(registry, subject) == [digest]
-    stand_in.fault("GET", "/referrers/", 200, body=PAGE)
+    server.fault("GET", "/referrers/", 200, body=PAGE)
     with pytest.raises(RosmlError, match="is no JSON object"):
         attached(registry, subject)
 
@@ -228,9 +228,9 @@ def test_many_attach_at_once(registry: Registry) -> None:
     assert set(attached(registry, subject)) == digests and len(digests) == 24
 
 
-def test_lists_of_two_manifests_are_written_side_by_side(stand_in: StandIn, registry: Registry) -> None:
+def test_lists_of_two_manifests_are_written_side_by_side(server: LocalRegistry, registry: Registry) -> None:
     both = threading.Barrier(2, timeout=20)
-    stand_in.answering = lambda request: both.wait() if request.startswith("PUT /v2/a/manifests/sha256-") else None
+    server.answering = lambda request: both.wait() if request.startswith("PUT /v2/a/manifests/sha256-") else None
     contents = [{**MANIFEST, "annotations": {"number": number}} for number in ("1", "2")]
     for content in contents:
         registry.put_manifest("a", "", content)
@@ -240,7 +240,7 @@ def test_lists_of_two_manifests_are_written_side_by_side(stand_in: StandIn, regi
     assert len(set(digests)) == 2
 
 
-def test_two_publishers_attach(stand_in: StandIn, registry: Registry) -> None:
+def test_two_publishers_attach(server: LocalRegistry, registry: Registry) -> None:
     """What another publisher adds to the list between a look at it and its change stays."""
     subject = put_subject(registry)
     first = registry.attach("a", subject, TYPE, b"one", "text/plain")
@@ -251,8 +251,8 @@ def test_two_publishers_attach(stand_in: StandIn, registry: Registry) -> None:
             theirs.append("begun")
             theirs.append(other.attach("a", subject, TYPE, b"theirs", "text/plain"))
 
-    with Registry(stand_in.address) as other:
-        stand_in.answering = meanwhile
+    with Registry(server.address) as other:
+        server.answering = meanwhile
         ours = [first, registry.attach("a", subject, TYPE, b"two", "text/plain")]
     assert set(attached(registry, subject)) == {*ours, theirs[1]}
 
@@ -263,43 +263,43 @@ FAULTS: list[int | str] = [429, 500, 502, 503, 504, DROP]
 
 
 @pytest.mark.parametrize("kind", FAULTS)
-def test_a_failure_of_a_moment_is_tried_again(stand_in: StandIn, registry: Registry, kind: int | str) -> None:
+def test_a_failure_of_a_moment_is_tried_again(server: LocalRegistry, registry: Registry, kind: int | str) -> None:
     registry.tags("a")  # it was reached
     for method, path in (("GET", "/manifests/"), ("HEAD", "/manifests/"), ("PUT", "/manifests/"), ("GET", "/tags/"),
                          ("POST", "/uploads/"), ("PUT", "/uploads/"), ("HEAD", "/blobs/"), ("GET", "/blobs/"),
                          ("DELETE", "/manifests/")):  # fmt: skip
-        stand_in.fault(method, path, kind, 3)
+        server.fault(method, path, kind, 3)
     digest = registry.put_manifest("a", "x", MANIFEST)
     assert registry.head("a", "x") == digest
     assert registry.manifest("a", "x") is not None
     assert registry.tags("a") == ["x"]
     assert registry.blob("a", registry.put_blob("a", b"hello")) == b"hello"
     registry.delete("a", digest)
-    assert not any(fault.times for fault in stand_in.faults)
+    assert not any(fault.times for fault in server.faults)
 
 
 @pytest.mark.parametrize("kind", FAULTS)
-def test_a_failure_that_stays_is_an_error(stand_in: StandIn, registry: Registry, kind: int | str) -> None:
+def test_a_failure_that_stays_is_an_error(server: LocalRegistry, registry: Registry, kind: int | str) -> None:
     registry.tags("a")
-    stand_in.fault("GET", "/manifests/", kind, 1000)
-    with pytest.raises(RosmlError, match=rf"{stand_in.address}.*/v2/a/manifests/x") as caught:
+    server.fault("GET", "/manifests/", kind, 1000)
+    with pytest.raises(RosmlError, match=rf"{server.address}.*/v2/a/manifests/x") as caught:
         registry.manifest("a", "x")
     assert "run it again" in caught.value.remedy
-    assert stand_in.count("manifests") == retries.ATTEMPTS
+    assert server.count("manifests") == retries.ATTEMPTS
 
 
-def test_a_host_without_a_registry_fails_soon(stand_in: StandIn, registry: Registry) -> None:
+def test_a_host_without_a_registry_fails_soon(server: LocalRegistry, registry: Registry) -> None:
     with pytest.raises(RosmlError, match=r"127\.0\.0\.1:1: GET .*refused") as caught:
         Registry("127.0.0.1:1").manifest("a", "x")
     assert "check its name" in caught.value.remedy
-    stand_in.fault("GET", "/manifests/", DROP, retries.ATTEMPTS - 1)
+    server.fault("GET", "/manifests/", DROP, retries.ATTEMPTS - 1)
     assert registry.manifest("a", "x") is None, "a connection that drops is no wrong name"
 
 
-def test_retry_after(stand_in: StandIn, registry: Registry, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_retry_after(server: LocalRegistry, registry: Registry, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(retries, "LONGEST_WAIT", 1.2)
     for header, seconds in (("1", 1.0), ("86400", 1.2), ("Sat, 01 Jan 2050 00:00:00 GMT", 1.2), ("soon", 0.0)):
-        stand_in.fault("GET", "/tags/", 503, headers={"Retry-After": header})
+        server.fault("GET", "/tags/", 503, headers={"Retry-After": header})
         pauses: list[float] = []
         with monkeypatch.context() as patched:
             patched.setattr(time, "sleep", pauses.append)
@@ -317,30 +317,30 @@ def test_retry_after(stand_in: StandIn, registry: Registry, monkeypatch: pytest.
     ],
 )
 def test_too_many_requests(
-    stand_in: StandIn, registry: Registry, header: str, reached: bool, requests: int, remedy: str
+    server: LocalRegistry, registry: Registry, header: str, reached: bool, requests: int, remedy: str
 ) -> None:
     """The client waits for the end of a short limit, but not of one that lasts, or applied from the first request."""
     if reached:
         registry.tags("a")
-    stand_in.fault("GET", "/manifests/", 429, 1000, headers={"Retry-After": header} if header else {})
+    server.fault("GET", "/manifests/", 429, 1000, headers={"Retry-After": header} if header else {})
     with pytest.raises(RosmlError) as caught:
         registry.manifest("a", "x")
-    assert caught.value.remedy.startswith(remedy) and f"docker login {stand_in.address}" in caught.value.remedy
-    assert stand_in.count("manifests") == requests
+    assert caught.value.remedy.startswith(remedy) and f"docker login {server.address}" in caught.value.remedy
+    assert server.count("manifests") == requests
 
 
 @pytest.mark.parametrize("code", [400, 409, 412])
-def test_a_tag_that_may_not_move(stand_in: StandIn, registry: Registry, code: int) -> None:
+def test_a_tag_that_may_not_move(server: LocalRegistry, registry: Registry, code: int) -> None:
     """The same content is no failure; other content is refused at once."""
     registry.put_manifest("a", "x", MANIFEST)
     body = b'{"errors": [{"code": "TAG_INVALID", "message": "The tag x is immutable and cannot be overwritten"}]}'
-    stand_in.fault("PUT", "/manifests/x", code, 1000, body=body)
+    server.fault("PUT", "/manifests/x", code, 1000, body=body)
     registry.put_manifest("a", "x", MANIFEST)
-    before = stand_in.count("manifests/x")
+    before = server.count("manifests/x")
     with pytest.raises(RosmlError, match="the registry lets no tag move") as caught:
         registry.put_manifest("a", "x", {**MANIFEST, "annotations": {"b": "c"}})
     assert caught.value.remedy == "choose another tag"
-    assert stand_in.count("manifests/x") == before + 2, "no attempt is repeated"
+    assert server.count("manifests/x") == before + 2, "no attempt is repeated"
 
 
 UNKNOWN = [(400, "MANIFEST_BLOB_UNKNOWN"), (404, "BLOB_UNKNOWN"), (400, "MANIFEST_UNKNOWN")]
@@ -348,25 +348,25 @@ UNKNOWN = [(400, "MANIFEST_BLOB_UNKNOWN"), (404, "BLOB_UNKNOWN"), (400, "MANIFES
 
 @pytest.mark.parametrize(("code", "name"), UNKNOWN)
 def test_a_blob_that_a_part_of_the_registry_lacks_for_a_moment(
-    stand_in: StandIn, registry: Registry, code: int, name: str
+    server: LocalRegistry, registry: Registry, code: int, name: str
 ) -> None:
     body = f'{{"errors": [{{"code": "{name}", "message": "blob unknown to registry"}}]}}'.encode()
-    stand_in.fault("PUT", "/manifests/", code, 3, body=body)
+    server.fault("PUT", "/manifests/", code, 3, body=body)
     assert registry.put_manifest("a", "x", MANIFEST) == registry.head("a", "x")
-    stand_in.fault("PUT", "/manifests/", code, 1000, body=body)
-    before = stand_in.count("^PUT")
+    server.fault("PUT", "/manifests/", code, 1000, body=body)
+    before = server.count("^PUT")
     with pytest.raises(RosmlError, match=rf"PUT /v2/a/manifests/x: {code} \(blob unknown to registry\)"):
         registry.put_manifest("a", "x", MANIFEST)
-    assert stand_in.count("^PUT") - before == retries.ATTEMPTS_REFUSED, "it may really be missing"
+    assert server.count("^PUT") - before == retries.ATTEMPTS_REFUSED, "it may really be missing"
 
 
-def test_threads_share_a_registry(stand_in: StandIn, registry: Registry) -> None:
+def test_threads_share_a_registry(server: LocalRegistry, registry: Registry) -> None:
     for path in ("/blobs/", "/uploads/"):
-        stand_in.fault("HEAD", path, DROP, 5)
-        stand_in.fault("PUT", path, 503, 5)
+        server.fault("HEAD", path, DROP, 5)
+        server.fault("PUT", path, 503, 5)
     with ThreadPoolExecutor(16) as pool:
         digests = list(pool.map(lambda n: registry.put_blob("a", b"%d" % n), range(200)))
-    assert [stand_in.blobs["a", digest] for digest in digests] == [b"%d" % n for n in range(200)]
+    assert [server.blobs["a", digest] for digest in digests] == [b"%d" % n for n in range(200)]
 
 
 # ---- Answers of another form -----------------------------------------------------------------------------------------
@@ -376,8 +376,8 @@ INDEX = {"schemaVersion": 2, "mediaType": oci.INDEX}
 
 
 @pytest.mark.parametrize("body", [b"[]", b"<html>", b"null"])
-def test_an_answer_that_is_no_object(stand_in: StandIn, registry: Registry, body: bytes) -> None:
-    stand_in.fault("GET", "/manifests/", 200, body=body)
+def test_an_answer_that_is_no_object(server: LocalRegistry, registry: Registry, body: bytes) -> None:
+    server.fault("GET", "/manifests/", 200, body=body)
     with pytest.raises(RosmlError, match="is no JSON object") as caught:
         registry.manifest("a", "x")
     assert "HTTPS_PROXY" in caught.value.remedy
@@ -396,9 +396,9 @@ def test_an_answer_that_is_no_object(stand_in: StandIn, registry: Registry, body
         {**MANIFEST, "config": "x"},
     ],
 )
-def test_a_manifest_of_another_form(stand_in: StandIn, registry: Registry, answer: dict[str, Any]) -> None:
-    stand_in.fault("GET", "/manifests/", 200, body=json.dumps(answer).encode())
-    with pytest.raises(RosmlError, match=f"{stand_in.address} does not answer as a registry") as caught:
+def test_a_manifest_of_another_form(server: LocalRegistry, registry: Registry, answer: dict[str, Any]) -> None:
+    server.fault("GET", "/manifests/", 200, body=json.dumps(answer).encode())
+    with pytest.raises(RosmlError, match=f"{server.address} does not answer as a registry") as caught:
         registry.manifest("a", "x")
     assert "HTTPS_PROXY" in caught.value.remedy and "pydantic" not in caught.value.message
 
@@ -412,12 +412,12 @@ def test_a_manifest_of_another_form(stand_in: StandIn, registry: Registry, answe
         ("/referrers/", {"manifests": [{"mediaType": oci.IMAGE, "size": 1}]}),
     ],
 )
-def test_lists_of_another_form(stand_in: StandIn, registry: Registry, path: str, answer: dict[str, Any]) -> None:
-    stand_in.referrers = True
+def test_lists_of_another_form(server: LocalRegistry, registry: Registry, path: str, answer: dict[str, Any]) -> None:
+    server.referrers = True
     subject = put_subject(registry)
     assert attached(registry, subject) == []
-    stand_in.fault("GET", "/tags/list", 200, body=b'{"name": "a", "tags": null}')
+    server.fault("GET", "/tags/list", 200, body=b'{"name": "a", "tags": null}')
     assert registry.tags("a") == []
-    stand_in.fault("GET", path, 200, body=json.dumps(answer).encode())
+    server.fault("GET", path, 200, body=json.dumps(answer).encode())
     with pytest.raises(RosmlError, match="does not answer as a registry"):
         registry.tags("a") if "tags" in path else attached(registry, subject)

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from fakes.hostile import Answer, Hostile, endless, hostile, limited_error, reply
-from fakes.http_registry import StandIn
+from fakes.http_registry import LocalRegistry
 from fakes.mutations import bomb
 from fakes.stubs import services
 from rosml.base import web
@@ -48,7 +48,7 @@ def quick(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
 
 
 @pytest.fixture
-def server() -> Iterator[Hostile]:
+def hostile_server() -> Iterator[Hostile]:
     with hostile() as running:
         yield running
 
@@ -159,34 +159,34 @@ ANSWERS: dict[str, tuple[str, dict[str, Answer]]] = {
 
 
 @pytest.mark.parametrize("name", ANSWERS)
-def test_an_answer(server: Hostile, name: str) -> None:
-    ask, server.answers = ANSWERS[name]
-    with Registry(server.address, credentials=lambda _: SOMEBODY) as registry:
+def test_an_answer(hostile_server: Hostile, name: str) -> None:
+    ask, hostile_server.answers = ANSWERS[name]
+    with Registry(hostile_server.address, credentials=lambda _: SOMEBODY) as registry:
         limited_error(lambda: ASKS[ask](registry))
 
 
-def test_a_list_has_an_end(server: Hostile) -> None:
+def test_a_list_has_an_end(hostile_server: Hostile) -> None:
     pages = iter(range(1 << 30))
 
     def page() -> Iterator[bytes]:
         number = next(pages)
         yield reply(200, b'{"tags": ["t%d"]}' % number, {"Link": f'</v2/a/tags/list?last={number}>; rel="next"'})
 
-    server.answers = {"GET": page}
-    with Registry(server.address) as registry, pytest.raises(RosmlError, match="a list without end"):
+    hostile_server.answers = {"GET": page}
+    with Registry(hostile_server.address) as registry, pytest.raises(RosmlError, match="a list without end"):
         registry.tags("a")
-    assert len(server.requests) == PAGES + 1
+    assert len(hostile_server.requests) == PAGES + 1
 
 
-def test_a_link_of_60_kb_is_none(server: Hostile) -> None:
-    server.answers = get(200, b'{"tags": ["x"]}', Link="<" * 30_000 + ">; " * 10_000)
-    with Registry(server.address) as registry:
+def test_a_link_of_60_kb_is_none(hostile_server: Hostile) -> None:
+    hostile_server.answers = get(200, b'{"tags": ["x"]}', Link="<" * 30_000 + ">; " * 10_000)
+    with Registry(hostile_server.address) as registry:
         before = time.thread_time()
         assert registry.tags("a") == ["x"]
         assert time.thread_time() - before < 1
 
 
-def test_an_answer_takes_no_hours(server: Hostile, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_answer_takes_no_hours(hostile_server: Hostile, monkeypatch: pytest.MonkeyPatch) -> None:
     """A byte now and then keeps a connection alive for ever."""
     monkeypatch.setattr(web, "LONGEST", 0.3)
 
@@ -195,42 +195,44 @@ def test_an_answer_takes_no_hours(server: Hostile, monkeypatch: pytest.MonkeyPat
             yield block
             time.sleep(0.02)
 
-    server.answers = {"GET": slow}
-    with Registry(server.address) as registry:
+    hostile_server.answers = {"GET": slow}
+    with Registry(hostile_server.address) as registry:
         for ask in ("manifest", "tags", "blob"):
             assert "takes longer" in limited_error(partial(ASKS[ask], registry)).message
 
 
-def test_cookies_are_not_kept(server: Hostile) -> None:
-    server.answers = {".": reply(200, json.dumps(WHOLE).encode(), {"Set-Cookie": "a=b; Path=/"})}
-    with Registry(server.address) as registry:
+def test_cookies_are_not_kept(hostile_server: Hostile) -> None:
+    hostile_server.answers = {".": reply(200, json.dumps(WHOLE).encode(), {"Set-Cookie": "a=b; Path=/"})}
+    with Registry(hostile_server.address) as registry:
         for _ in range(2):
             assert registry.manifest("a", "x")
-    assert not any("cookie" in headers for _, headers in server.requests)
+    assert not any("cookie" in headers for _, headers in hostile_server.requests)
 
 
 @pytest.mark.parametrize("header", ["sha256:x", "../../../x", "md5:" + "1" * 32, "sha256:" + "A" * 64, DIGEST + "x"])
-def test_a_header_without_a_digest_is_not_believed(server: Hostile, header: str) -> None:
+def test_a_header_without_a_digest_is_not_believed(hostile_server: Hostile, header: str) -> None:
     data = json.dumps(WHOLE).encode()
-    server.answers = {".": reply(200, data, {"Docker-Content-Digest": header})}
-    with Registry(server.address) as registry:
+    hostile_server.answers = {".": reply(200, data, {"Docker-Content-Digest": header})}
+    with Registry(hostile_server.address) as registry:
         assert registry.head("a", "x") == oci.digest_of(data)
 
 
-def test_a_digest_of_other_content_is_not_believed(server: Hostile) -> None:
-    server.answers = {".": reply(200, json.dumps(WHOLE).encode(), {"Docker-Content-Digest": "sha256:" + "2" * 64})}
-    with Registry(server.address) as registry:
+def test_a_digest_of_other_content_is_not_believed(hostile_server: Hostile) -> None:
+    hostile_server.answers = {
+        ".": reply(200, json.dumps(WHOLE).encode(), {"Docker-Content-Digest": "sha256:" + "2" * 64})
+    }
+    with Registry(hostile_server.address) as registry:
         assert "has another digest" in limited_error(lambda: registry.head("a", DIGEST)).message
 
 
 @pytest.mark.parametrize("name", ["../../x", "x?y=z", "sha256:1", "a/b", "x" * 129, ""])
-def test_a_name_that_leads_elsewhere_is_not_asked_for(server: Hostile, name: str) -> None:
+def test_a_name_that_leads_elsewhere_is_not_asked_for(hostile_server: Hostile, name: str) -> None:
     """Records and indexes name manifests."""
-    with Registry(server.address) as registry:
+    with Registry(hostile_server.address) as registry:
         for ask in (registry.manifest, registry.head, registry.delete):
             assert "neither a tag nor a digest" in limited_error(partial(ask, "a", name)).message
         assert "no digest" in limited_error(lambda: registry.blob("a", name)).message
-    assert server.requests == []
+    assert hostile_server.requests == []
 
 
 # ---- Images that are none --------------------------------------------------------------------------------------------
@@ -282,29 +284,29 @@ IMAGES: dict[str, Callable[[Registry], object]] = {
 
 
 @pytest.mark.parametrize("name", IMAGES)
-def test_a_base_image_that_is_none(stand_in: StandIn, tmp_path: Path, name: str) -> None:
-    stand_in.checks = False
-    with Registry(stand_in.address) as client:
+def test_a_base_image_that_is_none(server: LocalRegistry, tmp_path: Path, name: str) -> None:
+    server.checks = False
+    with Registry(server.address) as client:
         IMAGES[name](client)
-    here = services(tmp_path, stand_in.address)
-    error = limited_error(lambda: app_base.find(f"{stand_in.address}/a:x", here, ("linux/amd64",)))
-    assert any(place in error.message for place in (f"{stand_in.address}/a:x", "/v2/a/", "sha256:"))
+    here = services(tmp_path, server.address)
+    error = limited_error(lambda: app_base.find(f"{server.address}/a:x", here, ("linux/amd64",)))
+    assert any(place in error.message for place in (f"{server.address}/a:x", "/v2/a/", "sha256:"))
 
 
-def test_an_image_without_a_config_has_no_list_of_files(stand_in: StandIn) -> None:
+def test_an_image_without_a_config_has_no_list_of_files(server: LocalRegistry) -> None:
     """An index may list indexes, and those may list more."""
-    stand_in.checks = False
-    with Registry(stand_in.address) as client:
+    server.checks = False
+    with Registry(server.address) as client:
         entry = put_image(client, {}, config=None)
         for _ in range(2):
             assert "it has no config" in limited_error(lambda: contents.manifests(client, "a", "x")).message
             put_index(client, entry)
 
 
-def test_an_index_without_platforms_is_a_base_image_of_any(stand_in: StandIn, tmp_path: Path) -> None:
-    with Registry(stand_in.address) as client:
+def test_an_index_without_platforms_is_a_base_image_of_any(server: LocalRegistry, tmp_path: Path) -> None:
+    with Registry(server.address) as client:
         put_index(client, {**put_image(client, {**LINUX, "config": None}), "platform": None})
-    assert app_base.find(f"{stand_in.address}/a:x", services(tmp_path, stand_in.address), ()).labels == {}
+    assert app_base.find(f"{server.address}/a:x", services(tmp_path, server.address), ()).labels == {}
 
 
 # ---- Lists of files --------------------------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ import pytest
 import trustme
 
 from fakes.hostile import Hostile, hostile, reply
-from fakes.http_registry import DROP, StandIn, standing_in
+from fakes.http_registry import DROP, LocalRegistry, local_registry
 from fakes.stubs import executable
 from rosml.base.errors import RosmlError
 from rosml.registry import login, oci, retries
@@ -43,16 +43,16 @@ def folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def registry(stand_in: StandIn) -> Iterator[Registry]:
-    with Registry(stand_in.address) as client:
+def registry(server: LocalRegistry) -> Iterator[Registry]:
+    with Registry(server.address) as client:
         yield client
 
 
 @pytest.fixture
-def account(stand_in: StandIn, folder: Path) -> None:
+def account(server: LocalRegistry, folder: Path) -> None:
     """The registry has one user, who is logged in; it asks for tokens."""
-    stand_in.users, stand_in.bearer = {NAME: SECRET}, True
-    configure(folder, auths={stand_in.address: auth()})
+    server.users, server.bearer = {NAME: SECRET}, True
+    configure(folder, auths={server.address: auth()})
 
 
 def configure(folder: Path, **content: Any) -> None:
@@ -70,12 +70,12 @@ ANSWERING = f'test "$1" = get || exit 1; read -r server; echo "$server" >>"$0.se
 
 
 @pytest.mark.parametrize("key", ["credHelpers", "credsStore"])
-def test_credential_helper(stand_in: StandIn, registry: Registry, folder: Path, key: str) -> None:
-    stand_in.users = {NAME: SECRET}
-    configure(folder, **{key: {stand_in.address: "keychain"} if key == "credHelpers" else "keychain"})
+def test_credential_helper(server: LocalRegistry, registry: Registry, folder: Path, key: str) -> None:
+    server.users = {NAME: SECRET}
+    configure(folder, **{key: {server.address: "keychain"} if key == "credHelpers" else "keychain"})
     executable(folder / HELPER, ANSWERING)
     registry.put_blob("a", b"hello")
-    assert (folder / f"{HELPER}.servers").read_text() == f"{stand_in.address}\n", "asked once"
+    assert (folder / f"{HELPER}.servers").read_text() == f"{server.address}\n", "asked once"
 
 
 def test_helper_for_identity_tokens_and_for_docker_hub(folder: Path) -> None:
@@ -155,53 +155,53 @@ def test_a_damaged_variable_is_not_shown(monkeypatch: pytest.MonkeyPatch, text: 
 
 
 @pytest.mark.parametrize("bearer", [True, False])
-def test_docker_login(stand_in: StandIn, registry: Registry, folder: Path, bearer: bool) -> None:
-    stand_in.users, stand_in.bearer = {NAME: SECRET}, bearer
-    configure(folder, auths={f"http://{stand_in.address}/v1/": auth()})
+def test_docker_login(server: LocalRegistry, registry: Registry, folder: Path, bearer: bool) -> None:
+    server.users, server.bearer = {NAME: SECRET}, bearer
+    configure(folder, auths={f"http://{server.address}/v1/": auth()})
     registry.put_blob("a", b"hello")
     assert registry.mount("b", oci.digest_of(b"hello"), "a")
     if bearer:
-        assert "repository:a:pull repository:b:pull,push" in stand_in.tokens.values(), (
+        assert "repository:a:pull repository:b:pull,push" in server.tokens.values(), (
             "a mount reads the other repository"
         )
-        assert stand_in.count("/token") == 3, "one for reading, one for writing, one for the mount"
+        assert server.count("/token") == 3, "one for reading, one for writing, one for the mount"
     else:
-        assert (stand_in.count("^HEAD"), stand_in.count("^POST")) == (2, 2), "only the first request is sent twice"
+        assert (server.count("^HEAD"), server.count("^POST")) == (2, 2), "only the first request is sent twice"
 
 
 @pytest.mark.parametrize("bearer", [True, False])
 @pytest.mark.parametrize("password", ["pässword", "пароль", "密码 \t"])
-def test_any_password_is_sent(stand_in: StandIn, bearer: bool, password: str) -> None:
-    stand_in.users, stand_in.bearer = {"jürgen": password}, bearer
-    with Registry(stand_in.address, credentials=lambda _: Credentials("jürgen", password)) as client:
+def test_any_password_is_sent(server: LocalRegistry, bearer: bool, password: str) -> None:
+    server.users, server.bearer = {"jürgen": password}, bearer
+    with Registry(server.address, credentials=lambda _: Credentials("jürgen", password)) as client:
         assert client.put_manifest("a", "x", MANIFEST)
 
 
-def test_identity_token(stand_in: StandIn, registry: Registry, folder: Path) -> None:
-    stand_in.users, stand_in.bearer, stand_in.identity_token = {NAME: "x"}, True, SECRET
-    configure(folder, auths={stand_in.address: {"identitytoken": SECRET}})
+def test_identity_token(server: LocalRegistry, registry: Registry, folder: Path) -> None:
+    server.users, server.bearer, server.identity_token = {NAME: "x"}, True, SECRET
+    configure(folder, auths={server.address: {"identitytoken": SECRET}})
     assert registry.head("a", "x") == ""
-    assert list(stand_in.tokens.values()) == ["repository:a:pull"]
+    assert list(server.tokens.values()) == ["repository:a:pull"]
 
 
-def test_threads_share_a_token(stand_in: StandIn, registry: Registry) -> None:
-    stand_in.bearer = True
+def test_threads_share_a_token(server: LocalRegistry, registry: Registry) -> None:
+    server.bearer = True
     with ThreadPoolExecutor(16) as pool:
         list(pool.map(lambda _: registry.head("a", "x"), range(64)))
-    assert list(stand_in.tokens.values()) == ["repository:a:pull"]
+    assert list(server.tokens.values()) == ["repository:a:pull"]
 
 
-def test_a_token_that_ended_is_replaced(stand_in: StandIn, registry: Registry) -> None:
-    stand_in.bearer = True
+def test_a_token_that_ended_is_replaced(server: LocalRegistry, registry: Registry) -> None:
+    server.bearer = True
     registry.head("a", "x")
-    stand_in.tokens.clear()
-    stand_in.tokens["another"] = ""  # the next one has another name
+    server.tokens.clear()
+    server.tokens["another"] = ""  # the next one has another name
     registry.head("a", "x")
     registry.put_blob("a", b"hello")
 
 
-def test_readers_go_on_while_another_scope_gets_its_token(stand_in: StandIn, registry: Registry) -> None:
-    stand_in.bearer = True
+def test_readers_go_on_while_another_scope_gets_its_token(server: LocalRegistry, registry: Registry) -> None:
+    server.bearer = True
     registry.head("a", "x")
     with ThreadPoolExecutor(1) as pool:
 
@@ -209,16 +209,16 @@ def test_readers_go_on_while_another_scope_gets_its_token(stand_in: StandIn, reg
             if "/token" in request:
                 pool.submit(registry.head, "a", "x").result(5)
 
-        stand_in.answering = answering
+        server.answering = answering
         registry.head("b", "x")
-    assert stand_in.count("/token") == 2
+    assert server.count("/token") == 2
 
 
-def test_scopes_get_their_tokens_side_by_side(stand_in: StandIn, registry: Registry) -> None:
-    stand_in.bearer = True
+def test_scopes_get_their_tokens_side_by_side(server: LocalRegistry, registry: Registry) -> None:
+    server.bearer = True
     registry.head("c", "x")  # from here on the client knows that it needs a token
     both = threading.Barrier(2, timeout=5)
-    stand_in.answering = lambda request: both.wait() if "/token" in request else None
+    server.answering = lambda request: both.wait() if "/token" in request else None
     with ThreadPoolExecutor(2) as pool:
         list(pool.map(lambda repository: registry.head(repository, "x"), ("a", "b")))
     assert not both.broken
@@ -229,29 +229,31 @@ def test_scopes_get_their_tokens_side_by_side(stand_in: StandIn, registry: Regis
 
 @pytest.mark.parametrize("bearer", [True, False])
 @pytest.mark.parametrize("logged_in", [True, False])
-def test_denied(stand_in: StandIn, registry: Registry, folder: Path, bearer: bool, logged_in: bool) -> None:
-    stand_in.users, stand_in.bearer = {NAME: "another"}, bearer
+def test_denied(server: LocalRegistry, registry: Registry, folder: Path, bearer: bool, logged_in: bool) -> None:
+    server.users, server.bearer = {NAME: "another"}, bearer
     if logged_in:
-        configure(folder, auths={stand_in.address: auth()})
+        configure(folder, auths={server.address: auth()})
     for call in (lambda: registry.put_blob("a", b"hello"), lambda: registry.may_push("a")):
         with pytest.raises(RosmlError, match="with the account" if logged_in else "without an account") as caught:
             call()
-        assert f"docker login {stand_in.address}" in caught.value.remedy
+        assert f"docker login {server.address}" in caught.value.remedy
 
 
 @pytest.mark.parametrize("code", [401, 403])
 @pytest.mark.usefixtures("account")
-def test_a_login_that_is_refused_is_not_a_missing_repository(stand_in: StandIn, registry: Registry, code: int) -> None:
-    stand_in.fault("GET", "/token", code, 1000)
+def test_a_login_that_is_refused_is_not_a_missing_repository(
+    server: LocalRegistry, registry: Registry, code: int
+) -> None:
+    server.fault("GET", "/token", code, 1000)
     with pytest.raises(RosmlError, match=rf"cannot log in with the account .*{code}"):
         registry.manifest("a", "x")
-    assert stand_in.count("/token") <= 2, "no attempt is repeated"
+    assert server.count("/token") <= 2, "no attempt is repeated"
 
 
 @pytest.mark.usefixtures("account")
-def test_whether_one_may_push_leaves_nothing(stand_in: StandIn, registry: Registry) -> None:
+def test_whether_one_may_push_leaves_nothing(server: LocalRegistry, registry: Registry) -> None:
     registry.may_push("a")
-    assert (stand_in.uploads, stand_in.aborted, stand_in.blobs) == (1, 1, {})
+    assert (server.uploads, server.aborted, server.blobs) == (1, 1, {})
 
 
 @pytest.mark.parametrize("bearer", [True, False])
@@ -259,22 +261,22 @@ def test_whether_one_may_push_leaves_nothing(stand_in: StandIn, registry: Regist
 @pytest.mark.parametrize("code", [403, 404, 409])
 @pytest.mark.usefixtures("account")
 def test_a_first_push_while_another_machine_makes_the_repository(
-    stand_in: StandIn, registry: Registry, code: int, method: str, bearer: bool
+    server: LocalRegistry, registry: Registry, code: int, method: str, bearer: bool
 ) -> None:
-    stand_in.bearer = bearer
-    stand_in.fault(method, "/uploads/", code, 3)
+    server.bearer = bearer
+    server.fault(method, "/uploads/", code, 3)
     assert registry.blob("a", registry.put_blob("a", b"hello")) == b"hello"
-    stand_in.fault("GET", "/token.*push", 403, 2)
+    server.fault("GET", "/token.*push", 403, 2)
     registry.may_push("b")
 
 
 @pytest.mark.parametrize(("method", "path"), [("POST", "/uploads/"), ("GET", "/token.*push")])
 @pytest.mark.usefixtures("account")
 def test_a_push_that_is_denied_fails_within_seconds(
-    stand_in: StandIn, registry: Registry, monkeypatch: pytest.MonkeyPatch, method: str, path: str
+    server: LocalRegistry, registry: Registry, monkeypatch: pytest.MonkeyPatch, method: str, path: str
 ) -> None:
     registry.head("a", "x")  # the client knows the account
-    stand_in.fault(method, path, 403, 1000)
+    server.fault(method, path, 403, 1000)
     monkeypatch.setattr(retries, "WAIT", 0.5)
     monkeypatch.setattr(retries, "LONGEST_WAIT", 30)
     pauses: list[float] = []
@@ -287,15 +289,15 @@ def test_a_push_that_is_denied_fails_within_seconds(
 @pytest.mark.parametrize("who", ["registry", "token"])
 @pytest.mark.usefixtures("account")
 def test_a_repository_that_does_not_exist_yet_may_be_denied(
-    stand_in: StandIn, registry: Registry, caplog: pytest.LogCaptureFixture, who: str
+    server: LocalRegistry, registry: Registry, caplog: pytest.LogCaptureFixture, who: str
 ) -> None:
     """As on ghcr.io: its content counts as missing. Without an account, nobody knows what the reason is."""
-    stand_in.hides = who
-    with Registry(stand_in.address, credentials=lambda _: None) as nobody, pytest.raises(RosmlError, match="denied"):
+    server.hides = who
+    with Registry(server.address, credentials=lambda _: None) as nobody, pytest.raises(RosmlError, match="denied"):
         nobody.manifest("a", "x")
     assert registry.manifest("a", "x") is None
     assert (registry.head("a", "x"), registry.tags("a"), registry.referrers("a", DIGEST)) == ("", [], [])
-    assert stand_in.count(r"^(GET|HEAD) /v2/a/manifests/x") <= 4, "nothing is tried again"
+    assert server.count(r"^(GET|HEAD) /v2/a/manifests/x") <= 4, "nothing is tried again"
     assert ["does not exist yet" in record.message for record in caplog.records] == [True], "one warning"
     registry.put_blob("a", b"hello")
     digest = registry.put_manifest("a", "x", MANIFEST)
@@ -304,36 +306,36 @@ def test_a_repository_that_does_not_exist_yet_may_be_denied(
 
 @pytest.mark.parametrize("who", ["registry", "token"])
 @pytest.mark.usefixtures("account")
-def test_an_empty_registry_is_asked_for_one_token(stand_in: StandIn, registry: Registry, who: str) -> None:
-    stand_in.hides = who
+def test_an_empty_registry_is_asked_for_one_token(server: LocalRegistry, registry: Registry, who: str) -> None:
+    server.hides = who
     with ThreadPoolExecutor(16) as pool:
         assert not any(pool.map(lambda number: registry.head("a", f"x{number}"), range(500)))
     log_in = who == "token"  # after a denial, one request without a scope shows whether the account is known
-    assert stand_in.count("/token") == 1 + log_in
+    assert server.count("/token") == 1 + log_in
     digest = registry.put_manifest("a", "x1", MANIFEST)
     assert registry.head("a", "x1") == digest
 
 
 @pytest.mark.usefixtures("account")
-def test_a_denial_does_not_last(stand_in: StandIn, registry: Registry, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_denial_does_not_last(server: LocalRegistry, registry: Registry, monkeypatch: pytest.MonkeyPatch) -> None:
     """Another machine may have made the repository."""
     monkeypatch.setattr(login, "DENIED_SECONDS", 0.05)
-    stand_in.hides = "token"
+    server.hides = "token"
     assert registry.head("a", "x") == ""
-    with Registry(stand_in.address) as other:
+    with Registry(server.address) as other:
         digest = other.put_manifest("a", "x", MANIFEST)
     time.sleep(0.1)
     assert registry.head("a", "x") == digest
 
 
 @pytest.mark.usefixtures("account")
-def test_denied_content_of_a_repository_that_exists_is_not_missing(stand_in: StandIn, registry: Registry) -> None:
+def test_denied_content_of_a_repository_that_exists_is_not_missing(server: LocalRegistry, registry: Registry) -> None:
     """Or its tag would move whatever it points at."""
     digest = registry.put_manifest("a", "x", MANIFEST)
-    with Registry(stand_in.address) as other:
+    with Registry(server.address) as other:
         assert other.head("a", digest) == digest
-        stand_in.fault("HEAD", "/manifests/x", 403, 1000)
-        stand_in.fault("GET", "/tags/list", 403, 1)
+        server.fault("HEAD", "/manifests/x", 403, 1000)
+        server.fault("GET", "/tags/list", 403, 1)
         for client in (registry, other):
             with pytest.raises(RosmlError, match=r"cannot pull from a with the account .*403"):
                 client.head("a", "x")
@@ -344,15 +346,15 @@ def test_denied_content_of_a_repository_that_exists_is_not_missing(stand_in: Sta
 
 
 @pytest.mark.usefixtures("account")
-def test_no_password_goes_to_storage(stand_in: StandIn, registry: Registry) -> None:
+def test_no_password_goes_to_storage(server: LocalRegistry, registry: Registry) -> None:
     """Uploads and blobs may be on another host."""
     digest = registry.put_blob("a", b"hello")
-    with standing_in() as storage:
+    with local_registry() as storage:
         storage.blobs["a", digest] = b"hello"
         folder = f"http://{storage.address}/v2/a/blobs/"
-        stand_in.fault("GET", "/blobs/", 307, headers={"Location": folder + digest})
+        server.fault("GET", "/blobs/", 307, headers={"Location": folder + digest})
         assert registry.blob("a", digest) == b"hello"
-        stand_in.fault("POST", "/uploads/", 202, headers={"Location": f"{folder}uploads/1?_state=s%3D"})
+        server.fault("POST", "/uploads/", 202, headers={"Location": f"{folder}uploads/1?_state=s%3D"})
         assert registry.put_blob("a", b"more") == oci.digest_of(b"more")
         assert len(storage.headers) == 2
         assert not any("authorization" in headers for headers in storage.headers)
@@ -361,7 +363,7 @@ def test_no_password_goes_to_storage(stand_in: StandIn, registry: Registry) -> N
 @pytest.mark.parametrize("kind", ["Bearer", "Basic"])
 @pytest.mark.parametrize("way", ["blob", "stream", "upload", "cancel"])
 @pytest.mark.usefixtures("account")
-def test_another_host_asks_for_the_password(stand_in: StandIn, registry: Registry, way: str, kind: str) -> None:
+def test_another_host_asks_for_the_password(server: LocalRegistry, registry: Registry, way: str, kind: str) -> None:
     """It names itself as the server of tokens."""
     calls: dict[str, Callable[[], object]] = {
         "blob": lambda: registry.blob("a", DIGEST),
@@ -374,8 +376,8 @@ def test_another_host_asks_for_the_password(stand_in: StandIn, registry: Registr
         other.answers = {"/token": reply(200, b'{"token": "stolen"}'), ".": reply(401, headers={"WWW-Authenticate": challenge})}  # fmt: skip
         registry.put_manifest("a", "x", MANIFEST)  # it has logged in
         location = {"Location": f"http://{other.address}/v2/a/blobs/{DIGEST}"}
-        stand_in.fault("GET", "/blobs/", 307, 100, headers=location)
-        stand_in.fault("POST", "/uploads/", 202, 100, headers=location)
+        server.fault("GET", "/blobs/", 307, 100, headers=location)
+        server.fault("POST", "/uploads/", 202, 100, headers=location)
         with nullcontext() if way == "cancel" else pytest.raises(RosmlError, match=other.address):
             calls[way]()
         assert registry.put_manifest("b", "x", MANIFEST), "the registry itself is asked as before"
@@ -389,14 +391,14 @@ def assert_no_secret(server: Hostile) -> None:
 
 
 @pytest.mark.usefixtures("account")
-def test_a_registry_may_name_a_token_server_elsewhere(stand_in: StandIn, registry: Registry) -> None:
+def test_a_registry_may_name_a_token_server_elsewhere(server: LocalRegistry, registry: Registry) -> None:
     """As Docker Hub does: the password goes to that server, and nowhere else."""
-    with standing_in() as tokens:
-        tokens.users, tokens.tokens = stand_in.users, stand_in.tokens
-        stand_in.realm = f"http://{tokens.address}/token"
+    with local_registry() as tokens:
+        tokens.users, tokens.tokens = server.users, server.tokens
+        server.realm = f"http://{tokens.address}/token"
         assert registry.put_manifest("a", "x", MANIFEST)
         assert tokens.count("/token") == 1 and "authorization" in tokens.headers[0]
-        assert "Basic" not in repr(stand_in.headers)
+        assert "Basic" not in repr(server.headers)
 
 
 @pytest.mark.parametrize("tls", [True, False])
@@ -405,29 +407,29 @@ def test_no_password_in_the_clear(tmp_path: Path, tls: bool) -> None:
     authority.cert_pem.write_to_path(str(tmp_path / "ca.pem"))
     context = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
     authority.issue_cert("127.0.0.1").configure_cert(context)
-    with standing_in(context if tls else None) as stand_in:
-        stand_in.users, stand_in.bearer, stand_in.realm = {NAME: SECRET}, True, "http://registry.example.org/token"
-        client = Registry(stand_in.address, plain=not tls, ca_bundle=str(tmp_path / "ca.pem"),
+    with local_registry(context if tls else None) as server:
+        server.users, server.bearer, server.realm = {NAME: SECRET}, True, "http://registry.example.org/token"
+        client = Registry(server.address, plain=not tls, ca_bundle=str(tmp_path / "ca.pem"),
                           credentials=lambda _: Credentials(NAME, SECRET))  # fmt: skip
         with client, pytest.raises(RosmlError, match="in the clear"):
             client.head("a", "x")
-        assert stand_in.requests == ["HEAD /v2/a/manifests/x"]
+        assert server.requests == ["HEAD /v2/a/manifests/x"]
 
 
 @pytest.mark.parametrize("bearer", [True, False])
 @pytest.mark.usefixtures("account")
 def test_no_message_and_no_log_line_has_a_secret(
-    stand_in: StandIn, registry: Registry, caplog: pytest.LogCaptureFixture, bearer: bool
+    server: LocalRegistry, registry: Registry, caplog: pytest.LogCaptureFixture, bearer: bool
 ) -> None:
     caplog.set_level(logging.DEBUG)
-    stand_in.bearer = bearer
+    server.bearer = bearer
     registry.put_blob("a", b"hello")
-    texts = [repr(registry), repr(from_docker(stand_in.address))]
+    texts = [repr(registry), repr(from_docker(server.address))]
     for fault in (DROP, 500, 403, 404):
-        stand_in.fault("PUT", "/uploads/", fault, 1000)
+        server.fault("PUT", "/uploads/", fault, 1000)
         with pytest.raises(RosmlError) as caught:
             registry.put_blob("a", b"%r" % fault)
         texts += [caught.value.message, caught.value.remedy, repr(caught.value), caplog.text]
-        stand_in.faults.clear()
+        server.faults.clear()
     for word in (SECRET, auth()["auth"], "token-", "_state"):
         assert word not in "\n".join(texts)

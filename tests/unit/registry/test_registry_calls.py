@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from fakes.http_registry import standing_in
+from fakes.http_registry import local_registry
 from fakes.memory_registry import MemoryRegistry
 from rosml.registry.client import Registry
 from tests.registry_calls import CALLS
@@ -17,9 +17,9 @@ def client(request: pytest.FixtureRequest) -> Iterator[Registry]:
     if request.param == "memory":
         yield MemoryRegistry()
         return
-    with standing_in() as server, Registry(server.address) as local_registry:
+    with local_registry() as server, Registry(server.address) as registry:
         server.referrers = "API" in request.param
-        yield local_registry
+        yield registry
 
 
 @pytest.mark.parametrize("name", CALLS)

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from fakes.http_registry import StandIn
+from fakes.http_registry import LocalRegistry
 from fakes.stubs import executable, script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image import rosdep_index
@@ -28,8 +28,8 @@ OURS = {"io.rosml.distribution": "jazzy"}
 
 
 @pytest.fixture
-def services(stand_in: StandIn, tmp_path: Path) -> Services:
-    return Services(tmp_path / "state", stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", bases=())
+def services(server: LocalRegistry, tmp_path: Path) -> Services:
+    return Services(tmp_path / "state", server.address, ("buildx",), "rosml", "buildkitd", None, "", "", bases=())
 
 
 @pytest.fixture

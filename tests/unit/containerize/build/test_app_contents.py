@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from conftest import ROOT
 
-from fakes.http_registry import Fault, StandIn
+from fakes.http_registry import Fault, LocalRegistry
 from fakes.stubs import script_of_a_build
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
@@ -250,9 +250,9 @@ def load(platform: str, kind: str) -> bytes:
 
 
 @pytest.mark.parametrize("referrers", [True, False])
-def test_each_platform_gets_its_contents_once(referrers: bool, stand_in: StandIn) -> None:
-    stand_in.referrers = referrers
-    with Registry(stand_in.address) as client:
+def test_each_platform_gets_its_contents_once(referrers: bool, server: LocalRegistry) -> None:
+    server.referrers = referrers
+    with Registry(server.address) as client:
         entries = [image(client, architecture) for architecture in ("amd64", "arm64")]
         content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
         digest = client.put_manifest(ROBOT, "latest", content, oci.INDEX)
@@ -269,30 +269,30 @@ def test_each_platform_gets_its_contents_once(referrers: bool, stand_in: StandIn
                 facts.of(client, ROBOT, entry["digest"]),
             )
             assert files and files.entries == {"etc/motd"} and app_facts and app_facts.files == ["etc/motd"]
-        stand_in.requests.clear()
+        server.requests.clear()
         attachments.attach(client, ROBOT, digest, load, {})
-        assert not [line for line in stand_in.requests if line.split()[0] not in ("GET", "HEAD")]
+        assert not [line for line in server.requests if line.split()[0] not in ("GET", "HEAD")]
 
 
-def test_an_app_that_is_no_layer_on_its_base_has_no_facts(stand_in: StandIn) -> None:
-    with Registry(stand_in.address) as client:
+def test_an_app_that_is_no_layer_on_its_base_has_no_facts(server: LocalRegistry) -> None:
+    with Registry(server.address) as client:
         digest = image(client, "amd64")["digest"]
         attachments.attach(client, ROBOT, digest, load, {}, linked=False)
         assert facts.of(client, ROBOT, digest) is None and file_lists.Lists().of(client, ROBOT, digest)
 
 
-def test_an_sbom_of_others_is_none_of_ours(stand_in: StandIn) -> None:
-    with Registry(stand_in.address) as client:
+def test_an_sbom_of_others_is_none_of_ours(server: LocalRegistry) -> None:
+    with Registry(server.address) as client:
         entry = image(client, "amd64")
         client.attach(ROBOT, entry, MEDIA_TYPE, b"{}", MEDIA_TYPE)
         attachments.attach(client, ROBOT, entry["digest"], load, {})
         assert len(client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)) == 2
 
 
-def test_a_registry_that_takes_no_attachment(stand_in: StandIn) -> None:
-    with Registry(stand_in.address) as client:
+def test_a_registry_that_takes_no_attachment(server: LocalRegistry) -> None:
+    with Registry(server.address) as client:
         digest = image(client, "amd64")["digest"]
-        stand_in.faults.append(Fault("PUT", "manifests", 400, body=b"{}"))
+        server.faults.append(Fault("PUT", "manifests", 400, body=b"{}"))
         with pytest.raises(RosmlError):
             attachments.attach(client, ROBOT, digest, load, {})
 

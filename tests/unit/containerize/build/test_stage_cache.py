@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from fakes.http_registry import StandIn
+from fakes.http_registry import LocalRegistry
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image.base import Base
 from rosml.containerize.build import bake_file, junit
@@ -141,8 +141,8 @@ def altered(outcome: dict[str, Any] | None = None, **others: Any) -> bytes:
     return oci.encoded(report | {"outcome": report["outcome"] | (outcome or {})} | others)
 
 
-def test_a_report_is_found_again(stand_in: StandIn) -> None:
-    with Cache(f"{stand_in.address}/me/robot-cache", "") as cache:
+def test_a_report_is_found_again(server: LocalRegistry) -> None:
+    with Cache(f"{server.address}/me/robot-cache", "") as cache:
         assert (cache.stages(KEYS), cache.report(KEYS)) == ({}, None)
         cache.keep(KEYS, OUTCOME, TESTS, {"run/linux/amd64/files.gz": b"some", "slim/linux/amd64/files.gz": b"others"})
         assert cache.report(KEYS) == REPORT
@@ -150,7 +150,7 @@ def test_a_report_is_found_again(stand_in: StandIn) -> None:
         with pytest.raises(RosmlError, match="has no other"):
             cache.detail(KEYS, "other")
         assert cache.report(Keys("e", "u", "other", False)) is None
-        assert cache.reference("app-a") == f"{stand_in.address}/me/robot-cache:app-a"
+        assert cache.reference("app-a") == f"{server.address}/me/robot-cache:app-a"
 
 
 ROBOT = "me/robot-cache"
@@ -172,14 +172,14 @@ ROBOT = "me/robot-cache"
         altered({"added": {"apt": {"amd64": {"libfoo": "1 ; true"}}, "pip": {}}}),
     ],
 )
-def test_a_damaged_report_is_none(content: bytes, stand_in: StandIn) -> None:
-    with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
+def test_a_damaged_report_is_none(content: bytes, server: LocalRegistry) -> None:
+    with Cache(f"{server.address}/{ROBOT}", "") as cache:
         cache.keep(KEYS, OUTCOME, TESTS, {})
-        [tag] = stand_in.tags[ROBOT]
-        manifest = json.loads(stand_in.manifests[ROBOT, stand_in.tags[ROBOT][tag]][1])
-        stand_in.blobs[ROBOT, oci.digest_of(content)] = content
+        [tag] = server.tags[ROBOT]
+        manifest = json.loads(server.manifests[ROBOT, server.tags[ROBOT][tag]][1])
+        server.blobs[ROBOT, oci.digest_of(content)] = content
         manifest["layers"] = [oci.descriptor("application/json", content)]
-        with Registry(stand_in.address) as client:
+        with Registry(server.address) as client:
             client.put_manifest(ROBOT, tag, manifest)
         assert cache.report(KEYS) is None
 
@@ -192,11 +192,11 @@ def test_a_damaged_report_is_none(content: bytes, stand_in: StandIn) -> None:
         {**oci.artifact("application/vnd.rosml.app.report.v1+json", b"", ""), "layers": []},
     ],
 )
-def test_another_manifest_is_no_report(manifest: dict[str, Any], stand_in: StandIn) -> None:
-    with Cache(f"{stand_in.address}/{ROBOT}", "") as cache:
+def test_another_manifest_is_no_report(manifest: dict[str, Any], server: LocalRegistry) -> None:
+    with Cache(f"{server.address}/{ROBOT}", "") as cache:
         cache.keep(KEYS, OUTCOME, TESTS, {})
-        [tag] = stand_in.tags[ROBOT]
-        with Registry(stand_in.address) as client:
+        [tag] = server.tags[ROBOT]
+        with Registry(server.address) as client:
             client.put_manifest(ROBOT, tag, manifest, manifest["mediaType"])
         assert cache.report(KEYS) is None
 

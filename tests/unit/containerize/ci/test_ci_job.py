@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner
 
 from fakes.apps import Robot, robot, services
-from fakes.http_registry import StandIn
+from fakes.http_registry import LocalRegistry
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import ci as command
 from rosml.containerize import inputs as app_inputs
@@ -133,7 +133,7 @@ SUITE = """<testsuite><testcase name="good" classname="a"/>
 class Machine:
     """Jobs with a build that pushes an image for each target and leaves reports, or else an error."""
 
-    def __init__(self, services: Services, server: StandIn, out: Path) -> None:
+    def __init__(self, services: Services, server: LocalRegistry, out: Path) -> None:
         self.services, self.server, self.out = services, server, out
         self.error = ""
 
@@ -192,8 +192,8 @@ class Machine:
 
 
 @pytest.fixture
-def machine(services: Services, stand_in: StandIn, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Machine:
-    machine = Machine(services, stand_in, tmp_path / "artifacts")
+def machine(services: Services, server: LocalRegistry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Machine:
+    machine = Machine(services, server, tmp_path / "artifacts")
     monkeypatch.setattr(ci_job, "new_call", machine.new_call)
     monkeypatch.setattr(ci_job, "build_images", machine.build_images)
     return machine

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from fakes.archives import write
-from fakes.http_registry import StandIn
+from fakes.http_registry import LocalRegistry
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image.base import Base
@@ -34,8 +34,8 @@ WHOLE = {
 
 
 @pytest.fixture
-def services(stand_in: StandIn, tmp_path: Path) -> Services:
-    return Services(tmp_path, stand_in.address, ("buildx",), "rosml", "buildkitd", None, "", "", bases=())
+def services(server: LocalRegistry, tmp_path: Path) -> Services:
+    return Services(tmp_path, server.address, ("buildx",), "rosml", "buildkitd", None, "", "", bases=())
 
 
 def has_files(monkeypatch: pytest.MonkeyPatch, files: Mapping[str, str]) -> None:

@@ -17,7 +17,7 @@ from conftest import SMALL, changed, smaller
 from conftest import parse as image_set_of
 
 from fakes.apt_mirror import serving
-from fakes.http_registry import StandIn
+from fakes.http_registry import LocalRegistry
 from fakes.memory_registry import DAY, PREFIX, MemoryRegistry
 from rosml.base.archives import zstd
 from rosml.base.errors import RosmlError
@@ -189,7 +189,7 @@ def packed(*entries: Entry) -> bytes:
     return gzip.compress(tar(*entries), mtime=0)
 
 
-def image(hub: StandIn, *layers: bytes, media_type: str = GZIP) -> str:
+def image(hub: LocalRegistry, *layers: bytes, media_type: str = GZIP) -> str:
     """Puts an image of some layers into a registry. Returns its digest."""
     with Registry(hub.address) as registry:
         config = registry.put_blob("system", b"{}")
@@ -209,19 +209,19 @@ def sources(services: Services, address: str, digest: str) -> tuple[Source, ...]
     return apt_sources.sources(services, {NAME: system}, NAME)
 
 
-def read(services: Services, hub: StandIn, *layers: bytes, media_type: str = GZIP) -> tuple[Source, ...]:
+def read(services: Services, hub: LocalRegistry, *layers: bytes, media_type: str = GZIP) -> tuple[Source, ...]:
     """The sources of an image of some layers."""
     return sources(services, hub.address, image(hub, *layers, media_type=media_type))
 
 
 @pytest.mark.parametrize("name", OFFICIAL)
 def test_an_official_image_is_left_past_its_sources(
-    services: Services, stand_in: StandIn, received: list[int], name: str
+    services: Services, server: LocalRegistry, received: list[int], name: str
 ) -> None:
     texts, expected = OFFICIAL[name]
     files = ((f"./{path}", text) for path, text in texts.items())
     layer = packed("./", ("./bin", ""), "./etc/", "./etc/apt/", *files, ("./usr/x", os.urandom(8 << 20)))
-    assert read(services, stand_in, layer) == expected
+    assert read(services, server, layer) == expected
     assert len(received) == 1 and received[0] < len(layer) / 8
 
 
@@ -237,23 +237,23 @@ def test_an_official_image_is_left_past_its_sources(
     ids=["unsorted", "without sources"],
 )  # fmt: skip
 def test_another_layer_is_read_to_its_end(
-    services: Services, stand_in: StandIn, received: list[int], entries: list[Entry], expected: tuple[Source, ...]
+    services: Services, server: LocalRegistry, received: list[int], entries: list[Entry], expected: tuple[Source, ...]
 ) -> None:
     layer = packed(*entries)
-    assert read(services, stand_in, layer) == expected
+    assert read(services, server, layer) == expected
     assert received == [len(layer)]
 
 
 @pytest.mark.parametrize("kind", ["oci.image.layer.v1.tar", "docker.image.rootfs.diff.tar"])
 @pytest.mark.parametrize("packing", ["", "gzip", "zstd"])
-def test_kinds_of_layers(services: Services, stand_in: StandIn, kind: str, packing: str) -> None:
+def test_kinds_of_layers(services: Services, server: LocalRegistry, kind: str, packing: str) -> None:
     plain = tar((LIST, MAIN), ("usr/x", os.urandom(1 << 20)))
     halves = plain[:3000], plain[3000:]  # in two members, as some programs write them
     kinds: dict[str, Callable[[bytes], bytes]] = {"": bytes, "gzip": gzip.compress, "zstd": zstd.compress}
     content = b"".join(kinds[packing](half) for half in halves)
     joint = "+" if kind.startswith("oci") else "."
     media_type = f"application/vnd.{kind}{joint}{packing}".rstrip("+.")
-    assert read(services, stand_in, content, media_type=media_type) == ONE
+    assert read(services, server, content, media_type=media_type) == ONE
 
 
 BELOW = packed(
@@ -276,9 +276,11 @@ BELOW = packed(
         ([(f"{PARTS}/a.list.save", "deb http://c.test c c\n"), (f"{PARTS}/.b.list", "x"), ("x/etc/apt/sources.list", "x")], "one a b"),
     ],
 )  # fmt: skip
-def test_a_layer_changes_what_is_below(services: Services, stand_in: StandIn, layer: list[Entry], suites: str) -> None:
+def test_a_layer_changes_what_is_below(
+    services: Services, server: LocalRegistry, layer: list[Entry], suites: str
+) -> None:
     top = packed(("bin/x", ""), *layer, ("usr/x", ""))
-    assert " ".join(source.suite for source in read(services, stand_in, BELOW, top)) == suites
+    assert " ".join(source.suite for source in read(services, server, BELOW, top)) == suites
 
 
 REST = tar("usr/", ("usr/x", "x" * 4096), (LIST, MAIN))
@@ -301,72 +303,72 @@ THREE = tar("usr/", "usr/a", "usr/b")
     ],
 )
 def test_a_layer_that_cannot_be_read(
-    services: Services, stand_in: StandIn, layer: bytes, media_type: str, words: str
+    services: Services, server: LocalRegistry, layer: bytes, media_type: str, words: str
 ) -> None:
     """The error names the image and the layer, and nothing is kept."""
     with pytest.raises(RosmlError, match=words) as caught:
-        read(services, stand_in, layer, media_type=media_type)
+        read(services, server, layer, media_type=media_type)
     message = caught.value.message
-    assert f"{stand_in.address}/system@sha256:" in message and oci.digest_of(layer) in message
+    assert f"{server.address}/system@sha256:" in message and oci.digest_of(layer) in message
     assert not list(services.state.glob("apt-sources/*"))
 
 
-def test_a_layer_with_another_digest(services: Services, stand_in: StandIn) -> None:
+def test_a_layer_with_another_digest(services: Services, server: LocalRegistry) -> None:
     """It is read past the end of the tar, after which there may be zeros."""
-    digest = image(stand_in, layer := tar("usr/", (LIST, MAIN)) + bytes(1 << 20), media_type=TAR)
-    stand_in.blobs["system", oci.digest_of(layer)] = layer.replace(b"archive", b"another")
+    digest = image(server, layer := tar("usr/", (LIST, MAIN)) + bytes(1 << 20), media_type=TAR)
+    server.blobs["system", oci.digest_of(layer)] = layer.replace(b"archive", b"another")
     with pytest.raises(RosmlError, match="has another digest"):
-        sources(services, stand_in.address, digest)
+        sources(services, server.address, digest)
 
 
 def test_an_index_is_read_for_the_machines_own_architecture(
-    services: Services, stand_in: StandIn, monkeypatch: pytest.MonkeyPatch
+    services: Services, server: LocalRegistry, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    ours, other = image(stand_in, packed((LIST, MAIN))), image(stand_in, packed((LIST, MAIN.replace("one", "two"))))
+    ours, other = image(server, packed((LIST, MAIN))), image(server, packed((LIST, MAIN.replace("one", "two"))))
     members = (("windows", "other", ours), ("linux", "arm64", other), ("linux", "amd64", ours))
     entries = [
         {"mediaType": oci.IMAGE, "digest": digest, "size": 2, "platform": {"os": system, "architecture": name}}
         for system, name, digest in members
     ]
-    with Registry(stand_in.address) as registry:
+    with Registry(server.address) as registry:
         content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
         digest = registry.put_manifest("system", "", content, oci.INDEX)
     for architecture, suite in (("amd64", "one"), ("arm64", "two")):
         monkeypatch.setattr(base_images, "native_architecture", lambda name=architecture: name)
-        assert [source.suite for source in sources(services, stand_in.address, digest)] == [suite]
+        assert [source.suite for source in sources(services, server.address, digest)] == [suite]
     monkeypatch.setattr(base_images, "native_architecture", lambda: "other")
     with pytest.raises(RosmlError, match="is not there for linux/other"):
-        sources(services, stand_in.address, digest)
+        sources(services, server.address, digest)
 
 
-def test_a_missing_image(services: Services, stand_in: StandIn) -> None:
+def test_a_missing_image(services: Services, server: LocalRegistry) -> None:
     with pytest.raises(RosmlError, match=rf"system:1@sha256:{'1' * 64} is not there"):
-        sources(services, stand_in.address, f"sha256:{'1' * 64}")
+        sources(services, server.address, f"sha256:{'1' * 64}")
 
 
 @pytest.mark.parametrize("damage", ["", "[]", '{"etc/apt/sources.list": 1}', "{"])
-def test_sources_are_kept_by_digest(services: Services, stand_in: StandIn, damage: str) -> None:
-    digest = image(stand_in, packed((LIST, MAIN)))
-    assert sources(services, stand_in.address, digest) == ONE
-    stand_in.requests.clear()
-    assert sources(services, stand_in.address, digest) == ONE
-    assert not stand_in.requests
+def test_sources_are_kept_by_digest(services: Services, server: LocalRegistry, damage: str) -> None:
+    digest = image(server, packed((LIST, MAIN)))
+    assert sources(services, server.address, digest) == ONE
+    server.requests.clear()
+    assert sources(services, server.address, digest) == ONE
+    assert not server.requests
     [file] = services.state.glob("apt-sources/*")
     file.write_text(damage)
-    assert sources(services, stand_in.address, digest) == ONE
+    assert sources(services, server.address, digest) == ONE
     assert json.loads(file.read_text()) == {LIST: MAIN}
 
 
 @pytest.mark.parametrize("name", ["docker.io/system", "system"])
 def test_the_local_registry_is_the_mirror_of_docker_hub(
-    services: Services, stand_in: StandIn, monkeypatch: pytest.MonkeyPatch, name: str
+    services: Services, server: LocalRegistry, monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
-    digest = image(stand_in, packed((LIST, MAIN)))
+    digest = image(server, packed((LIST, MAIN)))
     if name == "system":
-        stand_in.blobs |= {(f"library/{path}", key): data for (path, key), data in stand_in.blobs.items()}
-        stand_in.manifests |= {(f"library/{path}", key): data for (path, key), data in stand_in.manifests.items()}
+        server.blobs |= {(f"library/{path}", key): data for (path, key), data in server.blobs.items()}
+        server.manifests |= {(f"library/{path}", key): data for (path, key), data in server.manifests.items()}
     monkeypatch.setenv(VARIABLE, f"{name}:1@{digest}")
-    local = replace(services, registry=stand_in.address, bases=("offline",))
+    local = replace(services, registry=server.address, bases=("offline",))
     assert apt_sources.sources(local, {}, NAME) == ONE
 
 
@@ -386,15 +388,15 @@ RELEASE = "Origin: Debian\nSHA256:\n {} 12345678 main/binary-amd64/Packages\n"
 
 
 def test_the_archive_of_the_base_image_counts_and_no_other(
-    services: Services, stand_in: StandIn, monkeypatch: pytest.MonkeyPatch
+    services: Services, server: LocalRegistry, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with serving() as mirror:
         text = (
             f"Types: deb\nURIs: {mirror.address}/own\nSuites: stable stable-backports\nComponents: main\n\n"
             "Types: deb\nEnabled: no\nURIs: http://official.test\nSuites: stable\nComponents: main\n"
         )
-        digest = image(stand_in, packed((f"{PARTS}/company.sources", text)))
-        monkeypatch.setenv(VARIABLE, f"{stand_in.address}/system:1@{digest}")
+        digest = image(server, packed((f"{PARTS}/company.sources", text)))
+        monkeypatch.setenv(VARIABLE, f"{server.address}/system:1@{digest}")
         matrix, lists = image_set_of(MATRIX).matrix, RELEASE.format("a" * 64)
         mirror.files = {
             "/own/dists/stable/Release": lists.encode(),
@@ -408,15 +410,15 @@ def test_the_archive_of_the_base_image_counts_and_no_other(
 
 
 def test_a_base_image_that_cannot_be_read_fails_no_plan(
-    project: Path, services: Services, stand_in: StandIn, monkeypatch: pytest.MonkeyPatch
+    project: Path, services: Services, server: LocalRegistry, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sync, "lacking", lambda *_: [])
     monkeypatch.setattr(sync, "published", lambda *_: "2026-11-20T21:14:09Z")
-    monkeypatch.setenv("OS_UBUNTU_24_04", f"{stand_in.address}/system:1@sha256:{'1' * 64}")
-    monkeypatch.setenv("OS_UBUNTU_26_04", f"{stand_in.address}/system:1@{image(stand_in, packed((LIST, '# none')))}")
+    monkeypatch.setenv("OS_UBUNTU_24_04", f"{server.address}/system:1@sha256:{'1' * 64}")
+    monkeypatch.setenv("OS_UBUNTU_26_04", f"{server.address}/system:1@{image(server, packed((LIST, '# none')))}")
     place = Place(MemoryRegistry(), PREFIX)
     plan = survey(Request(replace(services, root=project), smaller(project), place, DAY, architectures=("amd64",)))
     assert plan.package_state == {"omega": "2026-11-20T21:14:09Z"}
     [remark] = plan.remarks
-    assert remark.startswith(f"alpha: {stand_in.address}/system:1@sha256:1")
+    assert remark.startswith(f"alpha: {server.address}/system:1@sha256:1")
     assert "its packages are taken for unchanged" in remark

@@ -13,7 +13,7 @@ import pytest
 import yaml
 from conftest import ROOT
 
-from fakes.http_registry import standing_in
+from fakes.http_registry import local_registry
 from rosml.base.problems import InputError
 from rosml.cli import options
 from rosml.images.builds import disk
@@ -347,7 +347,7 @@ def test_each_command_of_a_night_reads_the_set(tmp_path: Path, real: ImageSet, u
     skipped = 'case "$*" in setup*|"publish rosdep"*) exit ;; esac; echo "called $@" >&2'
     (folder / "rosml").write_text(f'#!/bin/sh\n{skipped}\nexec "{sys.executable}" "{ROOT}/src" "$@"\n')
     environment = {**os.environ, "ROSML_MATRIX": str(folder / "set.yaml")}
-    with standing_in() as server:
+    with local_registry() as server:
         server.users = {"somebody": "secret"}
         text = (folder / "set.yaml").read_text().replace("registry.example.com", server.address)
         (folder / "set.yaml").write_text(text)

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from fakes.http_registry import StandIn
+from fakes.http_registry import LocalRegistry
 from rosml.base.errors import RosmlError
 from rosml.images.join import facts, file_lists
 from rosml.images.join.facts import Facts, Library
@@ -52,8 +52,8 @@ def test_a_symbol_counts_only_at_its_place() -> None:
 
 
 @pytest.fixture
-def client(stand_in: StandIn) -> Iterator[Registry]:
-    with Registry(stand_in.address) as registry:
+def client(server: LocalRegistry) -> Iterator[Registry]:
+    with Registry(server.address) as registry:
         yield registry
 
 

@@ -14,7 +14,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from fakes.http_registry import DROP, Fault, standing_in
+from fakes.http_registry import DROP, Fault, local_registry
 from fakes.joins import AMD64, BOTH, GRAPH, TENSORFLOW, TORCH, Place, joining
 from rosml.base.errors import RosmlError
 from rosml.cli import command
@@ -267,7 +267,7 @@ def test_layers_are_copied_where_mounts_are_refused(place: Place) -> None:
 
 
 def test_layers_are_copied_from_another_registry(place: Place) -> None:
-    with standing_in() as far:
+    with local_registry() as far:
         place.clients[far.address] = Registry(far.address)
         images = [part(kind).put(place.clients[far.address], "x/part", kind) for kind in TORCH]
         far.fault("GET", "/blobs/", DROP, 2)

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from conftest import SMALL
 
-from fakes.http_registry import StandIn, standing_in
+from fakes.http_registry import LocalRegistry, local_registry
 from rosml.cli import command
 from rosml.cli.images import locks as script
 from rosml.images.locks import base_digests
@@ -24,13 +24,18 @@ BOTH = ("amd64", "arm64")
 
 
 @pytest.fixture
-def hub() -> Iterator[StandIn]:
-    with standing_in() as server:
+def hub() -> Iterator[LocalRegistry]:
+    with local_registry() as server:
         yield server
 
 
 def push(
-    hub: StandIn, repository: str, tag: str, architectures: tuple[str, ...] = BOTH, mark: str = "", onbuild: str = ""
+    hub: LocalRegistry,
+    repository: str,
+    tag: str,
+    architectures: tuple[str, ...] = BOTH,
+    mark: str = "",
+    onbuild: str = "",
 ) -> str:
     """Puts an index under a tag; gives its digest."""
     with Registry(hub.address) as registry:
@@ -45,7 +50,7 @@ def push(
 
 
 @pytest.fixture
-def matrix(hub: StandIn, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def matrix(hub: LocalRegistry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A matrix whose images are in the local replacement, with comments, and an image of NVIDIA's."""
     monkeypatch.setattr(script, "ROOT", tmp_path)
     text = SMALL.replace("docker.io/library/ubuntu:24.04", f"{hub.address}/library/ubuntu:24.04")
@@ -61,7 +66,7 @@ def run(matrix: Path, *arguments: str) -> int:
 
 
 def test_what_moved_is_written_and_nothing_else(
-    hub: StandIn, matrix: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path
+    hub: LocalRegistry, matrix: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
     before = matrix.read_text()
     new = push(hub, "library/ubuntu", "24.04", mark="new")
@@ -115,7 +120,7 @@ def test_however_it_is_written(style: str) -> None:
     ],
 )
 def test_what_cannot_be_taken_stays_and_stops_no_other(
-    hub: StandIn,
+    hub: LocalRegistry,
     matrix: Path,
     capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,

@@ -161,8 +161,10 @@ def test_the_provenance_of_an_image(registry: Publisher, image_set: ImageSet) ->
     assert [parameters[name] for name in ("target", "platform", "channel")] == ["alpha-core", "linux/amd64", "live"]
     assert dependencies(core)["debian:alpha"] == provenance.base(BASE, "another")
     assert dependencies(core)["apt"]["annotations"] == {"state": "monday"}
-    times = core["predicate"]["runDetails"]["metadata"]
-    assert times["startedOn"] <= times["finishedOn"]
+    assert "stack" not in parameters, "it has none"
+    details = core["predicate"]["runDetails"]
+    assert details["builder"] == {"id": provenance.OWN_MACHINE} and details["metadata"]["invocationId"] == DAY
+    assert details["metadata"]["startedOn"] <= details["metadata"]["finishedOn"]
 
     (joined,) = attached(registry, run, TORCH, MEDIA_TYPE)
     parts = dependencies(joined)

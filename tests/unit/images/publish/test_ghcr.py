@@ -14,7 +14,7 @@ from typing import Any, cast
 import pytest
 from conftest import SMALLER
 
-from fakes.http_registry import DENIED, StandIn, standing_in
+from fakes.http_registry import DENIED, LocalRegistry, local_registry
 from fakes.memory_registry import DAY, NEXT, PREFIX, Publisher, Run, publisher
 from fakes.stubs import services
 from rosml.base.errors import RosmlError
@@ -32,11 +32,11 @@ UNKNOWN = b'{"errors": [{"code": "MANIFEST_BLOB_UNKNOWN", "message": "blob unkno
 
 
 @pytest.fixture(params=["registry", "token"])
-def ghcr(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[StandIn]:
+def ghcr(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[LocalRegistry]:
     """The registry, and who denies what does not exist yet."""
     monkeypatch.setattr(retries, "WAIT", 0.001)
     monkeypatch.setattr(retries, "LONGEST_WAIT", 0.02)
-    with standing_in() as pages, standing_in() as server:
+    with local_registry() as pages, local_registry() as server:
         server.hides, server.users, server.bearer, server.scoped = request.param, {NAME: SECRET}, True, True
         server.expires, server.deletes, server.people = 3.0, False, f"http://{pages.address}/me"
         yield server
@@ -46,7 +46,7 @@ def ghcr(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Ite
 class Night:
     """The jobs of a night, each a machine of its own, which shares nothing with the others but the registry."""
 
-    def __init__(self, server: StandIn, image_set: ImageSet, here: Publisher, date: str, *only: str) -> None:
+    def __init__(self, server: LocalRegistry, image_set: ImageSet, here: Publisher, date: str, *only: str) -> None:
         self.server, self.image_set, self.here, self.date, self.only = server, image_set, here, date, only
 
     def job(self, *steps: str, architectures: tuple[str, ...] = ("amd64", "arm64")) -> list[Run]:
@@ -76,7 +76,7 @@ class Night:
         return [run for shard in shards for run in shard.result()]
 
 
-def tags(server: StandIn) -> dict[str, dict[str, str]]:
+def tags(server: LocalRegistry) -> dict[str, dict[str, str]]:
     """Where tags point, without the lists of what is attached."""
     return {
         repository: {name: digest for name, digest in names.items() if not name.startswith("sha256-")}
@@ -84,7 +84,7 @@ def tags(server: StandIn) -> dict[str, dict[str, str]]:
     }
 
 
-def test_two_nights(ghcr: StandIn, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_two_nights(ghcr: LocalRegistry, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     here = publisher(project, services(project), monkeypatch)
     later = {"Retry-After": "1"}
     elsewhere = {"Location": "http://127.0.0.1:1/elsewhere"}
@@ -117,7 +117,7 @@ Make = Callable[[], tuple[int, dict[str, Any]]]
 
 @pytest.fixture
 def make(
-    ghcr: StandIn,
+    ghcr: LocalRegistry,
     image_set: ImageSet,
     project: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -145,7 +145,7 @@ def make(
 REPOSITORIES = ["records", "part", "ros", "ros-torch", "rosdep"]
 
 
-def test_repositories_are_made_before_machines_push_at_once(ghcr: StandIn, make: Make) -> None:
+def test_repositories_are_made_before_machines_push_at_once(ghcr: LocalRegistry, make: Make) -> None:
     ghcr.fault("POST", "/uploads/", 403, 1000, each=3, body=DENIED)
     assert make() == (0, {"made": REPOSITORIES, "failed": {}})
     repositories = [
@@ -157,7 +157,7 @@ def test_repositories_are_made_before_machines_push_at_once(ghcr: StandIn, make:
     assert make() == (0, {"made": [], "failed": {}}) and ghcr.count("^(PUT|POST)") == before
 
 
-def test_a_repository_that_cannot_be_made_holds_up_no_other(ghcr: StandIn, make: Make) -> None:
+def test_a_repository_that_cannot_be_made_holds_up_no_other(ghcr: LocalRegistry, make: Make) -> None:
     ghcr.fault("POST", "/records/blobs/uploads/", 403, 1000, body=DENIED)
     code, printed = make()
     assert (code, printed["made"]) == (1, REPOSITORIES[1:])
@@ -165,7 +165,7 @@ def test_a_repository_that_cannot_be_made_holds_up_no_other(ghcr: StandIn, make:
 
 
 def test_a_tag_that_is_denied_to_a_reader_does_not_move(
-    ghcr: StandIn, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch
+    ghcr: LocalRegistry, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     here = publisher(project, services(project), monkeypatch)
     Night(ghcr, image_set, here, NEXT, "alpha-core").whole()

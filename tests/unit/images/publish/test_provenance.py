@@ -89,28 +89,6 @@ def test_locks(checkout: Path) -> None:
     assert provenance.locks(checkout, ["locks/a.txt"]) == [{"name": "locks/a.txt", "digest": digest}]
 
 
-def test_the_statement() -> None:
-    definition = provenance.definition({"target": "t", "stack": ""}, "abc", [{"name": "x"}])
-    statement = provenance.Statement("rosml/ros", DIGEST, definition, Machine("b", "i"), DATE, DATE).content()
-    assert statement == {
-        "_type": "https://in-toto.io/Statement/v1",
-        "subject": [{"name": "rosml/ros", "digest": {"sha256": "1" * 64}}],
-        "predicateType": "https://slsa.dev/provenance/v1",
-        "predicate": {
-            "buildDefinition": {
-                "buildType": provenance.BUILD_TYPE,
-                "externalParameters": {"target": "t"},
-                "internalParameters": {"inputs": "abc"},
-                "resolvedDependencies": [{"name": "x"}],
-            },
-            "runDetails": {
-                "builder": {"id": "b"},
-                "metadata": {"invocationId": "i", "startedOn": DATE, "finishedOn": DATE},
-            },
-        },
-    }
-
-
 def test_the_statements_of_other_builders_stay(
     project: Path, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:

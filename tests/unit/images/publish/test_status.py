@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from conftest import SMALLER, changed, parse, write_locks
 
-from fakes.memory_registry import DAY, INDEX, LATER, NEXT, PREFIX, Publisher, Run, publisher, steps
+from fakes.memory_registry import DAY, LATER, NEXT, Publisher, Run, publisher, steps
 from fakes.projects import BASE
 from fakes.stubs import OFFLINE, services
 from rosml.cli.images import tables
@@ -177,10 +177,3 @@ def test_an_index_that_cannot_be_made_has_failed(registry: Publisher, image_set:
     registry.publish(image_set, only=["alpha-core"], odd=odd)
     name, reason = state(registry, image_set, "alpha-core", only=["alpha-core"])
     assert name == "failed" and "not the same on all" in reason
-
-
-def test_an_index_with_an_invalid_date_has_no_age(registry: Publisher, image_set: ImageSet) -> None:
-    content = {"schemaVersion": 2, "manifests": None, "annotations": {"io.rosml.date": "9999-99-99T99:99:99Z"}}
-    registry.registry.put_manifest(f"{PREFIX}/ros", "alpha-core", content, INDEX)
-    image = states(registry, image_set, only=["alpha-core"])["alpha-core"]
-    assert (image.state, image.age, image.platforms) == ("outdated", None, ())

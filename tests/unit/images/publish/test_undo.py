@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from fakes.http_registry import StandIn, standing_in
+from fakes.http_registry import LocalRegistry
 from rosml.cli import command
 from rosml.cli.images import publish as script
 from rosml.images.image_set.labels import TITLE
@@ -21,12 +20,6 @@ from rosml.registry.place import Place
 PREFIX = "me/rosml"
 RUN = "2026-11-22T03:00:00Z"
 TAGS = ("jazzy-base", "jazzy-base-20261122")
-
-
-@pytest.fixture
-def server() -> Iterator[StandIn]:
-    with standing_in() as server:
-        yield server
 
 
 @pytest.fixture
@@ -71,7 +64,7 @@ def published(client: Registry) -> dict[str, tuple[str, str]]:
     return digests
 
 
-def test_undo_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_undo_needs_a_registry_alone(server: LocalRegistry, clone: Path, capsys: pytest.CaptureFixture[str]) -> None:
     with Registry(server.address) as client:
         digests = published(client)
         before = len(server.requests)
@@ -92,7 +85,7 @@ def test_undo_needs_a_registry_alone(server: StandIn, clone: Path, capsys: pytes
 
 
 def test_undo_says_what_a_registry_that_deletes_nothing_keeps(
-    server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]
+    server: LocalRegistry, clone: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with Registry(server.address) as client:
         digests = published(client)
@@ -106,7 +99,7 @@ def test_undo_says_what_a_registry_that_deletes_nothing_keeps(
 
 
 def test_a_tag_that_a_later_run_moved_to_the_same_index_stays(
-    server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str]
+    server: LocalRegistry, clone: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with Registry(server.address) as client:
         before, new = published(client)["ros"]
@@ -132,7 +125,7 @@ def test_a_tag_that_a_later_run_moved_to_the_same_index_stays(
     ],
 )
 def test_undo_wants_a_run_that_is_sure_to_be_meant(
-    server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str], words: list[str], code: int, error: str
+    server: LocalRegistry, clone: Path, capsys: pytest.CaptureFixture[str], words: list[str], code: int, error: str
 ) -> None:
     with Registry(server.address) as client:
         new = published(client)["ros"][1]
@@ -143,7 +136,7 @@ def test_undo_wants_a_run_that_is_sure_to_be_meant(
 
 @pytest.mark.parametrize("extends", [False, True])
 def test_prune_needs_only_a_registry_and_a_matrix(
-    server: StandIn, clone: Path, capsys: pytest.CaptureFixture[str], extends: bool
+    server: LocalRegistry, clone: Path, capsys: pytest.CaptureFixture[str], extends: bool
 ) -> None:
     """Also a set, whose file has neither components nor systems of its own. No lock is read."""
     (clone / "set.yaml").write_text(

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from fakes.http_registry import StandIn, standing_in
+from fakes.http_registry import LocalRegistry, local_registry
 from fakes.memory_registry import DAY, IMAGE, LATER, NEXT, PREFIX, MemoryRegistry, Publisher, publisher
 from fakes.stubs import services
 from rosml.images.image_set.model import ImageSet
@@ -26,13 +26,13 @@ INPUTS = {"argument A": "1"}
 
 
 @pytest.fixture
-def server() -> Iterator[StandIn]:
-    with standing_in() as server:
+def server() -> Iterator[LocalRegistry]:
+    with local_registry() as server:
         yield server
 
 
 @pytest.fixture
-def book(server: StandIn) -> Iterator[Records]:
+def book(server: LocalRegistry) -> Iterator[Records]:
     with Registry(server.address) as client:
         yield Records(Place(client, PREFIX))
 
@@ -42,7 +42,7 @@ def night(number: int) -> Entry:
     return replace(ENTRY, scanned="clean", scan={"database": str(number)})
 
 
-def test_only_the_present_entry_stays(server: StandIn, book: Records) -> None:
+def test_only_the_present_entry_stays(server: LocalRegistry, book: Records) -> None:
     for entry in (ENTRY, OTHER):
         book.write(entry, INPUTS)
     for number in range(3):
@@ -62,7 +62,7 @@ def test_an_entry_under_another_tag_is_none(book: Records) -> None:
     assert book.read("jazzy-base", "amd64") and book.read("jazzy-desktop", "amd64") is None
 
 
-def test_missing_entries_cost_no_request(server: StandIn, book: Records) -> None:
+def test_missing_entries_cost_no_request(server: LocalRegistry, book: Records) -> None:
     book.write(ENTRY)
     missing = [(f"jazzy-{number}", "amd64") for number in range(2000)]
     before = server.count("^GET")
@@ -72,7 +72,7 @@ def test_missing_entries_cost_no_request(server: StandIn, book: Records) -> None
 
 
 @pytest.mark.parametrize("status", [400, 403, 404, 405])
-def test_a_registry_that_deletes_nothing_takes_entries(server: StandIn, book: Records, status: int) -> None:
+def test_a_registry_that_deletes_nothing_takes_entries(server: LocalRegistry, book: Records, status: int) -> None:
     server.fault("DELETE", "/manifests/", status, times=100)
     for entry in (ENTRY, OTHER):
         book.write(entry, INPUTS)
@@ -84,7 +84,7 @@ def test_a_registry_that_deletes_nothing_takes_entries(server: StandIn, book: Re
     assert server.count("^DELETE") == 1
 
 
-def test_a_registry_that_fails_once_the_entry_is_written(server: StandIn, book: Records) -> None:
+def test_a_registry_that_fails_once_the_entry_is_written(server: LocalRegistry, book: Records) -> None:
     first = book.write(ENTRY, INPUTS)
     # Where the tag points is asked before an entry is written; and after that, when it is too late to fail.
     server.fault("HEAD", "/manifests/", 200, headers={"Docker-Content-Digest": first})

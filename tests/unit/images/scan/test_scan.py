@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner
 from conftest import ROOT
 
-from fakes.http_registry import standing_in
+from fakes.http_registry import local_registry
 from fakes.memory_registry import MemoryRegistry, sbom_of
 from fakes.scanning import NOW, VERSION, World, advisory, digest, image, rules
 from fakes.stubs import services
@@ -335,7 +335,7 @@ def test_shards_fetch_the_same_state(world: World) -> None:
 def test_the_command_prints_the_newest_state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     machine = services(tmp_path)
     monkeypatch.setattr(Services, "load", lambda root: machine)
-    with standing_in() as server:
+    with local_registry() as server:
         state = Registry(server.address).put_manifest("me/db", "2", b"{}", oci.INDEX)
         policy = tmp_path / "scan.yaml"
         text = (ROOT / "scan.yaml").read_text()
