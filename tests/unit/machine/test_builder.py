@@ -19,7 +19,8 @@ from typing import Any
 
 import pytest
 
-from fakes.stubs import answering_registry, buildx, calls, services
+from fakes.http_registry import local_registry
+from fakes.stubs import buildx, calls, services
 from rosml.base import web
 from rosml.base.errors import RosmlError
 from rosml.machine import buildx as builder
@@ -48,8 +49,8 @@ def says(*lines: str, code: int = 0) -> str:
 
 @pytest.fixture(scope="module")
 def registry() -> Iterator[str]:
-    with answering_registry() as address:
-        yield address
+    with local_registry() as server:
+        yield server.address
 
 
 @pytest.fixture

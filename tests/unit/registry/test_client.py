@@ -387,12 +387,9 @@ def test_an_answer_that_is_no_object(server: LocalRegistry, registry: Registry, 
     "answer",
     [
         INDEX,
-        {**INDEX, "manifests": {"x": 1}},
-        {**INDEX, "manifests": [{"mediaType": oci.IMAGE, "size": 1}]},
         {**INDEX, "manifests": [{**NO_SIZE, "size": 1, "digest": "x"}]},
         {**INDEX, "manifests": [{**NO_SIZE, "size": 1, "platform": "linux"}]},
         {**MANIFEST, "layers": [NO_SIZE]},
-        {**MANIFEST, "layers": None},
         {**MANIFEST, "config": "x"},
     ],
 )
@@ -406,9 +403,7 @@ def test_a_manifest_of_another_form(server: LocalRegistry, registry: Registry, a
 @pytest.mark.parametrize(
     ("path", "answer"),
     [
-        ("/tags/list", {}),
         ("/tags/list", {"tags": ["a", 1, None, {}]}),
-        ("/referrers/", {"tags": []}),
         ("/referrers/", {"manifests": [{"mediaType": oci.IMAGE, "size": 1}]}),
     ],
 )

@@ -196,11 +196,8 @@ def test_steps_take_from_the_plan_what_it_was_called_with(
     [
         {"version": 2},
         {"date": "today"},
-        {"registry": 5},
         {"targets": []},
-        {"targets": [1]},
         {"architectures": []},
-        {"serve": "amd64"},
         {"force": "no"},
         {"shards": [{"name": []}]},
     ],

@@ -14,6 +14,7 @@ from conftest import smaller
 
 from fakes.memory_registry import INDEX, PREFIX, Publisher, publisher
 from fakes.stubs import services
+from rosml.base import side_by_side
 from rosml.base.errors import RosmlError
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import names
@@ -290,17 +291,14 @@ def test_images_are_asked_for_side_by_side(
     image_set: ImageSet,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    manifest, together, waiting = nights.registry.manifest, threading.Event(), []
+    manifest, both, met = nights.registry.manifest, threading.Barrier(2, timeout=20), threading.local()
 
     def answering(repository: str, reference: str) -> Manifest | None:
-        if repository.endswith("/records"):
-            return manifest(repository, reference)
-        waiting.append(reference)
-        if len(waiting) >= 8:
-            together.set()
-        if not together.wait(5):
-            raise RosmlError("nobody else asks for anything meanwhile", "")
+        if not repository.endswith("/records") and not hasattr(met, "once"):
+            met.once = True
+            both.wait()
         return manifest(repository, reference)
 
     monkeypatch.setattr(nights.registry, "manifest", answering)
+    monkeypatch.setattr(side_by_side, "AT_ONCE", 2)
     assert pruner(nights, image_set).find().tags

@@ -258,8 +258,6 @@ def test_a_set_up_that_fails(stage: Stage, capfd: pytest.CaptureFixture[str]) ->
     ("arguments", "error"),
     [
         (["alpha-bse-torch-cu1"], "did you mean 'alpha-base-torch-cu1'"),
-        (["omega-base-ml-cu1"], "no release of tensorflow has a wheel for Python 3.14"),
-        ([TARGET, "--platform", "linux/riscv"], "linux/amd64 or linux/arm64"),
         ([TARGET, "--platform", "linux/arm64"], f"{TARGET} exists for amd64 only"),
         ([TARGET, "--on", "debian:12"], "--on installs the ROS of one target"),
         ([TARGET], "no channel 'fina'"),

@@ -141,9 +141,7 @@ def report(**result: Any) -> str:
         ("killed", "exit code -9"),
         ("silent", "exit code 7"),
         ("nothing", "trivy did not write a report about alpha-base: it is no JSON"),
-        ("{", "it is no JSON"),
         ("[]", "did not write a report"),
-        ("{}", "did not write a report"),
         ('{"SchemaVersion": 3, "Results": []}', "did not write a report"),
         ('{"SchemaVersion": 2}', "trivy looked at 0 of 2 packages"),
         (report(Type="debian", Vulnerabilities=[{"VulnerabilityID": "CVE-2026-1"}]), "did not write a report"),
@@ -225,10 +223,6 @@ def test_the_projects_pins(tmp_path: Path) -> None:
     assert pinned_version(ROOT, "trivy", ScannerFailed) == VERSION
     assert re.fullmatch(r"3\.\d+\.\d+", pinned_version(ROOT, "cosign", RosmlError))
     with pytest.raises(ScannerFailed, match="No such file"):
-        pinned_version(tmp_path, "trivy", ScannerFailed)
-    (tmp_path / "tools/go/trivy").mkdir(parents=True)
-    (tmp_path / "tools/go/trivy/go.mod").write_text("module trivy\n")
-    with pytest.raises(ScannerFailed, match="pins no trivy"):
         pinned_version(tmp_path, "trivy", ScannerFailed)
 
 
