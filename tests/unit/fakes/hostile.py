@@ -29,6 +29,7 @@ class Hostile:
     address: str = ""
     answers: dict[str, Answer] = field(default_factory=dict)
     requests: list[tuple[str, dict[str, str]]] = field(default_factory=list)
+    bodies: list[bytes] = field(default_factory=list)  # of the requests
 
     def answer(self, request: str) -> Answer:
         matching = (answer for pattern, answer in self.answers.items() if re.search(pattern, request))
@@ -84,11 +85,12 @@ class _Handler(socketserver.StreamRequestHandler):
             while line := self.rfile.readline().strip():
                 name, _, value = line.decode("latin-1").partition(":")
                 headers[name.lower()] = value.strip()
-            self.rfile.read(int(headers.get("content-length") or 0))
+            body = self.rfile.read(int(headers.get("content-length") or 0))
             if len(first) < 2:
                 return
             request = " ".join(first[:2])
             self.hostile.requests.append((request, headers))
+            self.hostile.bodies.append(body)
             answer = self.hostile.answer(request)
             for block in [answer] if isinstance(answer, bytes) else answer():
                 self.wfile.write(block)

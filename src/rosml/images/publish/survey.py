@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable
 
 from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
@@ -34,8 +34,14 @@ def survey(request: Request) -> State:
     state.inputs.check([item.thing for item in state.items] if request.only else None)
     state.entries.update(state.records.read_all(_keys(state)))
     state.present |= present(request.place, state.entries.values())
-    distributions = _ask_package_states(state)
-    state.unpublished |= _unpublished(state, distributions)
+    states = _package_states(state)
+    state.package_state |= {name: answer for name, answer in states.items() if isinstance(answer, str)}
+    unpublished = _unpublished(state, states.keys() & state.package_state.keys())
+    state.unpublished |= {key: answer for key, answer in unpublished.items() if isinstance(answer, frozenset)}
+    remark = "{0}: {1.message}; its packages are taken for unchanged; {1.remedy}"
+    state.remarks += [remark.format(name, error) for name, error in states.items() if isinstance(error, RosmlError)]
+    silent = [(key[0], error) for key, error in unpublished.items() if isinstance(error, RosmlError)]
+    state.remarks += [f"{name}: {error.message}; {error.remedy}" for name, error in silent]
     return state
 
 
@@ -60,42 +66,34 @@ def _keys(state: State) -> list[Key]:
     return list(dict.fromkeys(keys))
 
 
-def _ask_package_states(state: State) -> list[str]:
-    """Asks the package repositories of the distributions that can be built here; returns these distributions.
+def _package_states(state: State) -> dict[str, str | RosmlError]:
+    """The package states of the distributions that can be built here, or why their repositories do not answer.
 
     If nothing will be made, it asks only for images in the registry: this machine may have to make a base image to read its apt sources.
     """
-    distributions = list(
-        dict.fromkeys(
-            item.thing.distribution
-            for item in state.items
-            if item.kind == "ros"
-            and isinstance(item.thing, Image)
-            and item.thing.distribution not in state.package_state
-            and (not state.request.whole or item.key in state.present)
-            and not state.hindrance(item)
-        )
+    distributions = dict.fromkeys(
+        item.thing.distribution
+        for item in state.items
+        if item.kind == "ros"
+        and isinstance(item.thing, Image)
+        and item.thing.distribution not in state.package_state
+        and (not state.request.whole or item.key in state.present)
+        and not state.hindrance(item)
     )
 
     def ask(name: str) -> str | RosmlError:
         try:
             return package_state.state(state.request.services, state.image_set.matrix, name)
         except RosmlError as error:
+            if error.exit_code == 2:  # the user's setting is wrong, not the network
+                raise
             return error
 
-    for name, answer in zip(distributions, side_by_side(ask, distributions, ARCHIVES), strict=True):
-        if isinstance(answer, str):
-            state.package_state[name] = answer
-        elif answer.exit_code == 2:  # the user's setting is wrong, not the network
-            raise answer
-        else:
-            state.remarks.append(f"{name}: {answer.message}; its packages are taken for unchanged; {answer.remedy}")
-    return distributions
+    return dict(zip(distributions, side_by_side(ask, distributions, ARCHIVES), strict=True))
 
 
-def _unpublished(state: State, distributions: Iterable[str]) -> Mapping[Key, frozenset[str]]:
-    """Packages that images to build need and their repository lacks, by distribution and architecture."""
-    answered = {name for name in distributions if name in state.package_state}
+def _unpublished(state: State, answered: Collection[str]) -> dict[Key, frozenset[str] | RosmlError]:
+    """Packages that images to build need and their repository lacks, by distribution and architecture, or why that is not known."""
     packages: dict[Key, list[str]] = {}
     for item in state.items:
         if not isinstance(item.thing, Image) or item.kind != "ros" or item.architecture not in state.architectures:
@@ -103,12 +101,10 @@ def _unpublished(state: State, distributions: Iterable[str]) -> Mapping[Key, fro
         if item.thing.distribution in answered and state.reasons(item):
             packages.setdefault((item.thing.distribution, item.architecture), []).extend(item.thing.packages.split())
 
-    def ask(key: Key) -> frozenset[str]:
+    def ask(key: Key) -> frozenset[str] | RosmlError:
         try:
             return frozenset(package_state.lacking(state.request.services, state.image_set.matrix, *key, packages[key]))
         except RosmlError as error:
-            state.remarks.append(f"{key[0]}: {error.message}; {error.remedy}")
-            return frozenset()  # the build will say what is missing
+            return error  # the build will say what is missing
 
-    answers = zip(packages, side_by_side(ask, packages, ARCHIVES), strict=True)
-    return {key: names for key, names in answers if names}
+    return dict(zip(packages, side_by_side(ask, packages, ARCHIVES), strict=True))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterator, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -54,7 +55,7 @@ def sarif(scanned: Scanned) -> dict[str, Any]:
                     "outcome": scanned.outcome.value,
                     "reason": scanned.reason,
                     "parts": dict(scanned.parts),
-                    "database": scanned.database.to_json() if scanned.database else None,
+                    "database": asdict(scanned.database) if scanned.database else None,
                 },
                 "results": [_result(scanned, finding) for finding in scanned.findings],
             }

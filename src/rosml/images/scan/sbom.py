@@ -8,12 +8,11 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from pydantic import ConfigDict, Field, ValidationError
+from pydantic import Field, ValidationError
 
 from rosml.base import untrusted
 from rosml.base.problems import first_of
-from rosml.base.shapes import Shape
-from rosml.images.scan.trivy import ScannerFailed
+from rosml.images.scan.trivy import Model, ScannerFailed
 from rosml.registry.client import Registry
 
 MEDIA_TYPE = "application/vnd.cyclonedx+json"
@@ -28,11 +27,7 @@ OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")
 REMEDY = "build it again: rosml publish build --force --only NAME"
 
 
-class _Model(Shape):
-    model_config = ConfigDict(frozen=True, strict=True)
-
-
-class Component(_Model):
+class Component(Model):
     """A package, or an operating system."""
 
     ref: str = Field(alias="bom-ref")
@@ -42,15 +37,15 @@ class Component(_Model):
     purl: str = ""
 
 
-class Subject(_Model):
+class Subject(Model):
     name: str = ""
 
 
-class About(_Model):
+class About(Model):
     component: Subject | None = None
 
 
-class Document(_Model):
+class Document(Model):
     """The part of an SBOM that we read."""
 
     bomFormat: Literal["CycloneDX"]

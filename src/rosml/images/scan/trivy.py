@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
@@ -63,9 +63,6 @@ class Database:
     digest: str  # the sha256 of the file, which is the same for all scans with this state
     source: str = ""  # its repository, with the digest there if known
 
-    def to_json(self) -> dict[str, str]:
-        return asdict(self)
-
     def require_fresh(self, rules: DatabaseRules, now: datetime) -> None:
         age = now - _moment(self.updated)
         if age > timedelta(hours=rules.max_age_hours):
@@ -79,13 +76,13 @@ class Database:
             raise ScannerFailed(text, "set this machine's clock")
 
 
-class _Model(Shape):
-    """Data from trivy, by its own names."""
+class Model(Shape):
+    """Data of others, by their own names."""
 
     model_config = ConfigDict(frozen=True, strict=True)
 
 
-class Vulnerability(_Model):
+class Vulnerability(Model):
     VulnerabilityID: str
     PkgName: str
     InstalledVersion: str
@@ -95,13 +92,13 @@ class Vulnerability(_Model):
     PrimaryURL: str = ""
 
 
-class Result(_Model):
+class Result(Model):
     Type: str = ""
     Packages: list[Any] | None = None
     Vulnerabilities: list[Vulnerability] | None = None
 
 
-class System(_Model):
+class System(Model):
     """The operating system. EOSL: it gets no more advisories."""
 
     Family: str = ""
@@ -109,17 +106,17 @@ class System(_Model):
     EOSL: bool = False
 
 
-class About(_Model):
+class About(Model):
     OS: System | None = None
 
 
-class Report(_Model):
+class Report(Model):
     SchemaVersion: int
     Metadata: About | None = None
     Results: list[Result] | None = None
 
 
-class _Database(_Model):
+class _Database(Model):
     Version: int = 0
     UpdatedAt: str
 

@@ -158,12 +158,15 @@ def test_what_is_only_to_be_tested_has_a_machine(registry: Publisher, image_set:
     assert tested <= {target for shard in plan["shards"] for target in shard["targets"]}
 
 
-def test_estimates_take_the_sizes_that_earlier_runs_measured(registry: Publisher, image_set: ImageSet) -> None:
+def test_estimates_take_the_sizes_and_times_that_earlier_runs_measured(
+    registry: Publisher, image_set: ImageSet
+) -> None:
     run = registry.run(image_set)
     before, planned = run.state.forecast, make_plan(run.state, 4)
     assert before == image_set
     for architecture, unpacked in (("amd64", 4_000), ("arm64", 4_500)):
-        entry = Entry("alpha-core", architecture, unpacked=unpacked * 1_000_000, size=1_000_000_000)
+        facts = {"unpacked": unpacked * 1_000_000, "size": 1_000_000_000, "seconds": {"test": 1_000.0}}
+        entry = Entry("alpha-core", architecture, **facts)
         run.state.entries["alpha-core", architecture] = entry
     del run.state.__dict__["forecast"]
     core, base = (image_set.image(name).disk for name in ("alpha-core", "alpha-base"))
@@ -172,6 +175,8 @@ def test_estimates_take_the_sizes_that_earlier_runs_measured(registry: Publisher
     assert forecast.image("alpha-base").disk == Size.total(forecast.image("alpha-core").disk, base - core)
     assert forecast.image("omega-core").disk == image_set.image("omega-core").disk
     shards = {shard.name: shard for shard in make_plan(run.state, 4).shards}
+    assert max(shard.estimates.seconds for shard in planned.shards) < 1_000
+    assert sum(shard.estimates.seconds >= 1_000 for shard in shards.values()) == 2, "one of each architecture"
     for shard in planned.shards:
         more = shards[shard.name].estimates.disk_mb - shard.estimates.disk_mb
         grown = 4_500 - core.unpacked + 2 * (1_000 - core.compressed)
