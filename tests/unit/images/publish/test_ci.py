@@ -165,7 +165,7 @@ def test_estimates_take_the_sizes_and_times_that_earlier_runs_measured(
     before, planned = run.state.forecast, make_plan(run.state, 4)
     assert before == image_set
     for architecture, unpacked in (("amd64", 4_000), ("arm64", 4_500)):
-        facts = {"unpacked": unpacked * 1_000_000, "size": 1_000_000_000, "seconds": {"test": 1_000.0}}
+        facts: dict[str, Any] = {"unpacked": unpacked * 1_000_000, "size": 1_000_000_000, "seconds": {"test": 1_000.0}}
         entry = Entry("alpha-core", architecture, **facts)
         run.state.entries["alpha-core", architecture] = entry
     del run.state.__dict__["forecast"]
