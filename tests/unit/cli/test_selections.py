@@ -25,7 +25,7 @@ from rosml.images.builds import base_images, package_state
 from rosml.images.image_set import load
 from rosml.images.publish.steps.build import build
 from rosml.machine.services import Services
-from rosml.registry import retries
+from rosml.registry import oci, retries
 
 REAL = load.load(ROOT / "matrix.yaml")
 PUBLISHED = "ros1-bookworm-core*"
@@ -77,7 +77,7 @@ def copied(content: LocalRegistry, registry: MemoryRegistry, prefix: str) -> Non
         content.blobs |= {(renamed(repository), name): data for name, data in blobs.items()}
     for repository, manifests in registry.manifests.items():
         for name, manifest in manifests.items():
-            data = json.dumps(manifest.content).encode()
+            data = oci.encoded(manifest.content)
             assert memory_registry.digest(data) == name
             content.manifests[renamed(repository), name] = (manifest.media_type, data)
     for repository, names in registry.names.items():

@@ -280,7 +280,7 @@ def put_image(
         registry.put_blob(repository, data)
     entries = [oci.descriptor(LAYER, data) for data in layers]
     content = {"schemaVersion": 2, "layers": entries, "config": oci.descriptor(oci.CONFIG, config)}
-    return str(registry.put_manifest(repository, "", json.dumps(content).encode(), IMAGE))
+    return str(registry.put_manifest(repository, "", content, IMAGE))
 
 
 class Run(run.Run):
