@@ -4,11 +4,9 @@ from __future__ import annotations
 
 import csv
 import io
-import tempfile
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
 import httpx
@@ -49,16 +47,13 @@ class Index:
         self, target: WheelTarget, requirements: Iterable[str], constraints: Iterable[str] = (), *options: str
     ) -> tuple[str, str]:
         """The requirements from `uv pip compile`, empty if nothing fits; and its messages."""
-        with tempfile.TemporaryDirectory() as folder:
-            base = Path(folder)
-            (base / "in.txt").write_text("\n".join(requirements) + "\n")
-            (base / "constraints.txt").write_text("\n".join(constraints) + "\n")
-            command = [*compile_command(*target), "--no-header", "--no-annotate", "--constraint", "constraints.txt"]
-            command.remove("--quiet")  # with --quiet, uv does not warn about lost extras
-            output = base / ("pylock.toml" if options else "out.txt")
-            status, messages = self.uv([*command, *options, "in.txt", "--output-file", output.name], base)
-            if status == 0:
-                return output.read_text(encoding="utf-8", errors="replace"), messages
+        files = {"in.txt": "\n".join(requirements) + "\n", "constraints.txt": "\n".join(constraints) + "\n"}
+        command = [*compile_command(*target), "--no-header", "--no-annotate", "--constraint", "constraints.txt"]
+        command.remove("--quiet")  # with --quiet, uv does not warn about lost extras
+        output = "pylock.toml" if options else "out.txt"
+        status, text, messages = self.uv.compile([*command, *options, "in.txt"], files, output)
+        if status == 0:
+            return text, messages
         if "No solution found" not in messages:
             raise RosmlError(f"the index does not say what people get:\n{messages.strip()}", "check that it answers")
         return "", messages

@@ -57,23 +57,14 @@ class Environment:
 
 @dataclass(frozen=True, order=True)
 class Resolved:
-    """The release that people get of a package.
+    """The release that people get of a package."""
 
-    Attributes:
-        package: the package with its extras.
-        version: the version; empty if it is refused.
-        newest: the newest version for this Python by itself; empty if the index has no wheel of it.
-        held_by: constraints that keep it from the newest version.
-        extra: whether that release has the extra.
-        beside: the version beside the packages that have one version in the image.
-    """
-
-    package: str
-    version: str
-    newest: str
-    held_by: tuple[str, ...] = ()
-    extra: bool = True
-    beside: str = ""
+    package: str  # with its extras
+    version: str  # empty if it is refused
+    newest: str  # for this Python by itself; empty if the index has no wheel of it
+    held_by: tuple[str, ...] = ()  # constraints that keep it from the newest version
+    extra: bool = True  # whether that release has the extra
+    beside: str = ""  # the version beside the packages that have one version in the image
 
 
 def environments(image_set: ImageSet) -> list[Environment]:

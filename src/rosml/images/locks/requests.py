@@ -15,52 +15,34 @@ from rosml.images.matrix.rules import NVIDIA
 
 @dataclass(frozen=True)
 class Elsewhere:
-    """A framework whose wheel only PyTorch's own index has, such as `torch==2.10.0+cpu`.
-
-    Attributes:
-        digest: its published sha256; empty if we have to ask that index.
-        requires: the wheel's requirements, which the Python package index has.
-    """
+    """A framework whose wheel only PyTorch's own index has, such as `torch==2.10.0+cpu`."""
 
     requirement: str
-    digest: str
-    requires: tuple[str, ...]
+    digest: str  # its published sha256; empty if we have to ask that index
+    requires: tuple[str, ...]  # the wheel's requirements, which the Python package index has
 
 
 @dataclass(frozen=True)
 class Request:
-    """A request: a stack, or the wheels of a distribution, for one Python version on one architecture.
+    """A request: a stack, or the wheels of a distribution, for one Python version on one architecture."""
 
-    Attributes:
-        stack: the name of the stack, e.g. `cu128`, or of the distribution.
-        wheels: uv's name of the wheel platform, e.g. `x86_64-manylinux_2_28`.
-        roots: the requirement of each framework, e.g. `{"torch": "torch==2.10.0"}`; for ROS, each package's own.
-        numpy: the version specifier that keeps the ABI of the operating system's own numpy, e.g. `<2`.
-        added: requirements of packages that parts have although no framework asks for them.
-        provided: packages of the operating system that the part must not have, with their versions.
-        cuda: the stack's versions of `cuda`, `cudnn` and `nccl`; empty for a stack without CUDA.
-        beside: requirements of the packages that go with each framework.
-        adapted: requirements of each framework that replace its wheel's, as lines of locks; `overrides` has the same for uv.
-        indexes: packages that come from another index than the usual one, and the address of that index.
-    """
-
-    stack: str
+    stack: str  # the name of the stack, such as `cu128`, or of the distribution
     architecture: str
     python: str
-    wheels: str
-    roots: Mapping[str, str]
-    numpy: str
+    wheels: str  # uv's name of the wheel platform, such as `x86_64-manylinux_2_28`
+    roots: Mapping[str, str]  # by framework, such as `{"torch": "torch==2.10.0"}`; for ROS, each package's own
+    numpy: str  # the version specifier that keeps the ABI of the operating system's own numpy, such as `<2`
     constraints: tuple[str, ...] = ()
-    added: tuple[str, ...] = ()
-    provided: Mapping[str, str] = field(default_factory=dict)
-    cuda: Mapping[str, str] = field(default_factory=dict)
+    added: tuple[str, ...] = ()  # requirements of packages that parts have although no framework asks for them
+    provided: Mapping[str, str] = field(default_factory=dict)  # the operating system's versions, not for the part
+    cuda: Mapping[str, str] = field(default_factory=dict)  # the stack's versions of `cuda`, `cudnn` and `nccl`
     elsewhere: Mapping[str, Elsewhere] = field(default_factory=dict)
     parts: tuple[PartEntry, ...] = ()
     ros: bool = False
-    beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    adapted: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    overrides: tuple[str, ...] = ()
-    indexes: Mapping[str, str] = field(default_factory=dict)
+    beside: Mapping[str, tuple[str, ...]] = field(default_factory=dict)  # requirements that go with each framework
+    adapted: Mapping[str, tuple[str, ...]] = field(default_factory=dict)  # replace a wheel's own, as lines of locks
+    overrides: tuple[str, ...] = ()  # the adapted ones as uv takes them
+    indexes: Mapping[str, str] = field(default_factory=dict)  # address by package, if it is not on the usual index
 
     @property
     def asks_pytorch(self) -> bool:

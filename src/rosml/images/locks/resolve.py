@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import json
 import re
-import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 from rosml.base.errors import RosmlError
 from rosml.images.image_set.lock_file import cuda_packages, package_name
@@ -34,19 +32,12 @@ def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") 
         upgrade: take the newest versions that fit; otherwise keep those of `previous` if they still fit.
         previous: the requirements of an earlier lock.
     """
-    with tempfile.TemporaryDirectory() as folder:
-        base = Path(folder)
-        inputs = _inputs(request)
-        for name, text in inputs.items():
-            (base / name).write_text(text)
-        output = base / "out.txt"
-        if previous and not upgrade:
-            output.write_text(previous)
-        status, errors = uv(_command(request, inputs), base)
-        if status != 0:
-            raise _failure(request, status, errors)
-        pins = parse(output.read_text(errors="replace") if output.exists() else "")
-    return pins if request.asks_pytorch else _with_known_wheels(request, pins)
+    inputs = _inputs(request)
+    earlier = {"out.txt": previous} if previous and not upgrade else {}
+    status, text, errors = uv.compile(_command(request, inputs), inputs | earlier)
+    if status != 0:
+        raise _failure(request, status, errors)
+    return parse(text) if request.asks_pytorch else _with_known_wheels(request, parse(text))
 
 
 def _inputs(request: Request) -> dict[str, str]:
@@ -89,7 +80,6 @@ def _command(request: Request, inputs: Mapping[str, str]) -> list[str]:
     hashes = ["--generate-hashes", "--no-header", "--annotation-style", "split", "--no-emit-index-url"]
     command = [*compile_command(request.python, request.wheels), *hashes, "--constraint", "constraints.txt"]
     command += [name for name in ("pyproject.toml", "in.txt") if name in inputs]
-    command += ["--output-file", "out.txt"]
     if request.asks_pytorch:
         command += ["--torch-backend", "cpu"]
     if "overrides.txt" in inputs:

@@ -25,20 +25,14 @@ from rosml.images.matrix.model import ANY_PYTHON
 
 @dataclass(frozen=True)
 class Difference:
-    """Files of a part for every Python that the wheels for another Python have otherwise.
+    """Files of a part for every Python that the wheels for another Python have otherwise."""
 
-    Attributes:
-        part: the part's entry in the matrix, such as `tensorflow-cc`.
-        package: the package with its version, such as `tensorflow-cpu==2.21.0`.
-        built_from: the Python whose wheel the part is taken from; the wheel for `python` differs.
-    """
-
-    part: str
+    part: str  # its entry in the matrix, such as `tensorflow-cc`
     stack: str
     architecture: str
-    package: str
-    built_from: str
-    python: str
+    package: str  # with its version, such as `tensorflow-cpu==2.21.0`
+    built_from: str  # the Python whose wheel the part is taken from
+    python: str  # that whose wheel differs
     files: tuple[str, ...]
 
     def __str__(self) -> str:

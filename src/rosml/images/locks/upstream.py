@@ -7,10 +7,8 @@ with its own CUDA.
 from __future__ import annotations
 
 import re
-import tempfile
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
-from pathlib import Path
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
@@ -24,21 +22,15 @@ from rosml.images.locks.uv import Uv, compile_command
 
 @dataclass(frozen=True, order=True)
 class Newer:
-    """A newer release than a stack's, for some versions of Python.
-
-    Attributes:
-        since: the day of its wheel, such as 2026-10-28; empty if the index does not tell.
-        held_by: the reason why the stack cannot have it; empty if it can.
-        elsewhere: stacks of the same accelerator that have it.
-    """
+    """A newer release than a stack's, for some versions of Python."""
 
     stack: str
     package: str
     ours: str
     newest: str
-    since: str
-    held_by: str
-    elsewhere: tuple[str, ...]
+    since: str  # the day of its wheel, such as 2026-10-28; empty if the index does not tell
+    held_by: str  # the reason why the stack cannot have it; empty if it can
+    elsewhere: tuple[str, ...]  # stacks of the same accelerator that have it
     pythons: tuple[str, ...]
 
 
@@ -97,18 +89,12 @@ def _of(image_set: ImageSet, request: Request, uv: Uv) -> Iterator[Newer]:
 
 def _newest(request: Request, packages: Iterable[str], uv: Uv) -> Mapping[str, tuple[str, str]]:
     """The newest version of packages with a wheel for a Python and an architecture, and the day of that wheel."""
-    with tempfile.TemporaryDirectory() as folder:
-        base = Path(folder)
-        (base / "in.txt").write_text("\n".join(packages) + "\n")
-        command = [*compile_command(request.python, request.wheels), "--no-deps", "--format", "pylock.toml"]
-        status, errors = uv([*command, "in.txt", "--output-file", "pylock.toml"], base)
-        if status != 0:
-            raise RosmlError(
-                f"{request}: the newest releases are unknown:\n{errors.strip()}", "check that the index answers"
-            )
-        written = base / "pylock.toml"
-        locked = pylock.read(written.read_text(encoding="utf-8", errors="replace") if written.is_file() else "")
-        return {item.name: (item.version.partition("+")[0], _day(item)) for item in locked}
+    command = [*compile_command(request.python, request.wheels), "--no-deps", "--format", "pylock.toml", "in.txt"]
+    status, text, errors = uv.compile(command, {"in.txt": "\n".join(packages) + "\n"}, "pylock.toml")
+    if status != 0:
+        text = f"{request}: the newest releases are unknown:\n{errors.strip()}"
+        raise RosmlError(text, "check that the index answers")
+    return {item.name: (item.version.partition("+")[0], _day(item)) for item in pylock.read(text)}
 
 
 def _day(package: pylock.Package) -> str:

@@ -5,8 +5,9 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tempfile
 import threading
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 from typing import TypeVar
@@ -55,6 +56,17 @@ class Uv:
         with self._lock:
             self._running.discard(process)
         return process.returncode, errors
+
+    def compile(
+        self, arguments: Sequence[str], inputs: Mapping[str, str], output: str = "out.txt"
+    ) -> tuple[int, str, str]:
+        """Runs uv beside files with these texts. Returns its exit status, what it wrote, if anything, and its standard error."""
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in inputs.items():
+                Path(folder, name).write_text(text)
+            status, errors = self([*arguments, "--output-file", output], Path(folder))
+            file = Path(folder, output)
+            return status, file.read_text(encoding="utf-8", errors="replace") if file.is_file() else "", errors
 
     def for_each(
         self, items: Iterable[Item], work: Callable[[Item], Result], title: str, report: Callable[[int, Result], object]

@@ -215,7 +215,7 @@ def test_resolve(tmp_path: Path) -> None:
         " --generate-hashes ",
         " --no-emit-index-url ",
         " --python-version 3.12 --python-platform x86_64-manylinux_2_28 ",
-        " --constraint constraints.txt in.txt --output-file out.txt",
+        " --constraint constraints.txt in.txt ",
         " --no-emit-package packaging --no-emit-package setuptools",
     ):
         assert words in call
