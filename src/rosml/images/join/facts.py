@@ -61,11 +61,7 @@ class Package(_Model):
 
 
 class Library(_Model):
-    """A library; of an app, also a program.
-
-    Attributes:
-        uses: of an app, the symbols that no file of the app exports, as `name` or `name@VERSION`. Weak ones do not count.
-    """
+    """A library; of an app, also a program."""
 
     path: Text  # without a slash at the beginning
     soname: Text  # empty if it has none
@@ -74,7 +70,7 @@ class Library(_Model):
     machine: list[Number] = Field(min_length=3, max_length=3)  # class, byte order and machine, as ELF has them
     needed: list[Text]  # sonames of the libraries that it loads
     symbols: str = Field(pattern=r"^([A-Za-z0-9_-]{4})*$")  # what it exports; ask `exports`
-    uses: list[Symbol] = []
+    uses: list[Symbol] = []  # `name` or `name@VERSION`: those that no file of the app exports. Weak ones do not count
 
     @functools.cached_property
     def groups(self) -> frozenset[str]:

@@ -32,15 +32,11 @@ UNLISTED = f"use one that has it: for an app, the run image, built without --no-
 
 @dataclass
 class JoinReport(Transferred):
-    """The result of a join.
-
-    Attributes:
-        unlisted: images without a list of files, which may carry the same file as another image.
-    """
+    """The result of a join."""
 
     reference: str = ""  # for FROM; with the tag, if one was moved
     digest: str = ""  # of the index, or of the manifest if there is no index
-    unlisted: list[str] = field(default_factory=list)
+    unlisted: list[str] = field(default_factory=list)  # images without a list of files, which may hide another's file
 
     def to_json(self) -> dict[str, Any]:
         return asdict(self)
@@ -60,7 +56,7 @@ class Joiner:
     ) -> None:
         """`declared` gives where restricted parts may go; `unlisted` is the remedy for an image without a list of files."""
         self.allow_unlisted = allow_unlisted
-        self._unlisted = unlisted
+        self._remedy = unlisted
         self._transfer = Transfer(registries, say, declared)
         self._lists = Lists()
         self._say = say
@@ -90,11 +86,12 @@ class Joiner:
         common = _common(sources, platforms)
         if not platforms:
             self._say_left_out(sources, common)
-        report = JoinReport()
         members = [[by_platform[name] for _, by_platform in sources] for name in common]
-        images = [self._joined(group, report) for group in members]
+        joined = [self._joined(group) for group in members]
+        images, unlisted = [image for image, _ in joined], dict.fromkeys(name for _, names in joined for name in names)
         for image in images:  # before the first one is pushed
             self._transfer.require_allowed(image.labels, target, place)
+        report = JoinReport(reference=str(place), unlisted=[*unlisted])
         for image in images:
             report.manifests[image.platform] = self._transfer.push(image, place.host, place.repository, report)
         origins = {
@@ -105,7 +102,6 @@ class Joiner:
         registry = self._transfer.registries(place.host)
         report.digest = registry.put_manifest(place.repository, place.reference, index, oci.INDEX)
         report.uploaded += len(index)
-        report.reference = str(place)
         report.seconds = time.monotonic() - started
         return report
 
@@ -113,7 +109,7 @@ class Joiner:
         """The joined images for some platforms, of which nothing is pushed."""
         sources = self._read([ros, *parts])
         return {
-            name: self._joined([by_platform[name] for _, by_platform in sources], JoinReport())
+            name: self._joined([by_platform[name] for _, by_platform in sources])[0]
             for name in _common(sources, platforms)
         }
 
@@ -121,11 +117,10 @@ class Joiner:
         """Joins an image from manifests for one platform, without an index or a tag."""
         started = time.monotonic()
         sources = list(self._transfer.pool.map(lambda item: self._transfer.source(str(item), item), (ros, *parts)))
-        report = JoinReport()
-        image = self._joined(sources, report)
-        digest = self._transfer.push(image, host, repository, report)
-        report.manifests[image.platform] = report.digest = digest
-        report.reference = str(Reference(host, repository, digest))
+        image, unlisted = self._joined(sources)
+        place = str(Reference(host, repository, image.digest))
+        report = JoinReport({image.platform: image.digest}, reference=place, digest=image.digest, unlisted=unlisted)
+        self._transfer.push(image, host, repository, report)
         report.seconds = time.monotonic() - started
         return report
 
@@ -140,26 +135,25 @@ class Joiner:
 
     # ---- Joining -----------------------------------------------------------------------------------------------------
 
-    def _joined(self, sources: Sequence[Source], report: JoinReport) -> Joined:
-        image = join(sources[0], sources[1:])
-        self._compare(sources, report)
-        return image
+    def _joined(self, sources: Sequence[Source]) -> tuple[Joined, list[str]]:
+        """A joined image, and which of its sources have no list of files."""
+        return join(sources[0], sources[1:]), self._unlisted(sources)
 
-    def _compare(self, sources: Sequence[Source], report: JoinReport) -> None:
-        """Checks by their lists that no two images carry the same file."""
+    def _unlisted(self, sources: Sequence[Source]) -> list[str]:
+        """Checks by their lists that no two images carry the same file. Returns those without a list, if that is allowed."""
         lists = list(self._transfer.pool.map(lambda source: self._files(source, sources), sources))
         if unlisted := [source.name for source, files in zip(sources, lists, strict=True) if files is None]:
             text = f"{listed(unlisted)} has no list of its files, so it may carry the same file as another image"
             if not self.allow_unlisted:
-                raise RosmlError(text, self._unlisted, exit_code=2)
+                raise RosmlError(text, self._remedy, exit_code=2)
             self._say(text)
-            report.unlisted += [name for name in unlisted if name not in report.unlisted]
         pairs = [(source.name, files) for source, files in zip(sources, lists, strict=True) if files is not None]
         for (name, files), (other, others) in combinations(pairs, 2):
             if path := self._lists.clash(files, others):
                 text = f"{name} and {other} both carry /{path}: one would hide the other's"
                 remedy = "remove the file, or the package that has it, from one of them, and publish that image again"
                 raise RosmlError(text, remedy, exit_code=2)
+        return unlisted
 
     def _files(self, source: Source, beside: Sequence[Source]) -> Files | None:
         """The files of an image: by its own list, or by those of the images that it was joined from.

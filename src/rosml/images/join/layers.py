@@ -238,8 +238,7 @@ def _shared(parts: Sequence[Source]) -> dict[str, tuple[str, ...]]:
     shared = {name: kinds for name, kinds in combinations[0].items() if all(name in other for other in combinations)}
     for name, kinds in shared.items():
         if any(other[name] != kinds for other in combinations):
-            text = f"the parts are of different releases: they name different parts of framework {name}"
-            raise RosmlError(text, "use parts that were published together", exit_code=2)
+            raise _apart(f"the parts are of different releases: they name different parts of framework {name}")
     return shared
 
 
@@ -249,9 +248,12 @@ def _addons(parts: Sequence[Source]) -> dict[str, tuple[str, ...]]:
     for item in parts:
         for name, kinds in labels.combinations(item.labels.get(labels.ADDONS, "")).items():
             if addons.setdefault(name, kinds) != kinds:
-                text = f"the parts are of different releases: they name different parts of add-on {name}"
-                raise RosmlError(text, "use parts that were published together", exit_code=2)
+                raise _apart(f"the parts are of different releases: they name different parts of add-on {name}")
     return dict(sorted(addons.items()))
+
+
+def _apart(text: str) -> RosmlError:
+    return RosmlError(text, "use parts that were published together", exit_code=2)
 
 
 def _lacking(
@@ -294,8 +296,7 @@ def _brought(parts: Sequence[Source]) -> tuple[Brought, ...]:
         for item in labels.brought_by(part.labels):
             first, first_part = software.setdefault(item.name, (item, part.name))
             if first.version != item.version:
-                text = f"{first_part} has {item.name} {first.version}, and {part.name} has {item.version}"
-                raise RosmlError(text, "use parts that were published together", exit_code=2)
+                raise _apart(f"{first_part} has {item.name} {first.version}, and {part.name} has {item.version}")
             if item.title:
                 software[item.name] = (item, part.name)
     return tuple(sorted((item for item, _ in software.values()), key=lambda item: not item.released))
