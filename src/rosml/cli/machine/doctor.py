@@ -97,7 +97,7 @@ def disk() -> Iterator[Finding]:
     free = shutil.disk_usage(place).free / 1e9
     image_set = load.load(MATRIX, ROOT)
     image = image_set.image(image_set.matrix.default.targets[0])
-    needs = f"; building {image.target} takes {gigabytes(needed_mb(image_set, image, ()))}" if IN_CHECKOUT else ""
+    needs = f"; building {image.target} takes {gigabytes(needed_mb(image_set, image, set()))}" if IN_CHECKOUT else ""
     text = f"{free:.0f} GB free{needs}"
     if free >= BUILD_GB:
         yield Finding("disk", "ok", text)

@@ -75,11 +75,7 @@ _FACTS = exported.Limits(entries=200, each=4 << 20, total=8 << 20)
 
 @dataclass(frozen=True)
 class Adopted:
-    """An image of somebody else, on which ROS is installed.
-
-    Attributes:
-        environment, user, shell, labels: from the config.
-    """
+    """An image of somebody else, on which ROS is installed. Environment, user, shell and labels are from its config."""
 
     reference: str  # by digest, or of an image in the user's Docker
     image_set: ImageSet

@@ -9,6 +9,7 @@ from pathlib import Path
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.images.bake import bake_file, hcl
+from rosml.images.bake.targets import CONTENTS
 from rosml.images.builds import base_images
 from rosml.images.image_set.model import ImageSet
 from rosml.images.join import facts, file_lists
@@ -22,8 +23,6 @@ from rosml.registry.oci import Manifest
 
 FORMAT = "facts.v1"
 """What is attached beside the SBOM and the list of files. With another one, all images are described again, without a build."""
-
-TARGET = "contents"
 
 PACKAGES = "packages.json"
 """The packages of an image, written by components/containerize/contents.py."""
@@ -93,11 +92,11 @@ def _listings(
     os_name = image_set.matrix.default.assembler
     base = base_images.reference(services, image_set.matrix.operating_systems, os_name)
     variables = {names.os_variable(os_name): f"docker-image://{base}"}
-    targets = [f"{TARGET}-{manifest.digest.partition(':')[2][:12]}" for _, manifest in images]
+    targets = [f"{CONTENTS}-{manifest.digest.partition(':')[2][:12]}" for _, manifest in images]
     file = services.state / "bake" / f"{targets[0]}.hcl"
     file.parent.mkdir(parents=True, exist_ok=True)
-    blocks = [hcl.block("target", target, {"inherits": [TARGET]}) for target in dict.fromkeys(targets)]
-    files.write(file, "\n".join([bake_file.excerpt(image_set, [TARGET]), *blocks]))
+    blocks = [hcl.block("target", target, {"inherits": [CONTENTS]}) for target in dict.fromkeys(targets)]
+    files.write(file, "\n".join([bake_file.excerpt(image_set, [CONTENTS]), *blocks]))
     (services.state / "tmp").mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
         sets = []

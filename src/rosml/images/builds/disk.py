@@ -22,13 +22,12 @@ RESERVE_MB = 2_000
 PRUNE_SECONDS = 600.0
 
 
-def needed_mb(image_set: ImageSet, image: Image, built: Iterable[str]) -> int:
+def needed_mb(image_set: ImageSet, image: Image, present: Set[str]) -> int:
     """Megabytes that building an image takes, without the parts that are built already.
 
     The builder holds a part unpacked twice: as it was built, and as the layer that is joined. It holds a ROS image
     unpacked once. The builder and the registry each hold both compressed.
     """
-    present = built if isinstance(built, Set) else set(built)
     ros = 0 if image.target in present else _ros_mb(image_set, image, present)
     return ros + sum(part_mb(image_set.part_by_name[name]) for name in image.parts if name not in present)
 

@@ -18,7 +18,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.builds import base_images, contents, disk, package_state, structure_tests
 from rosml.images.builds.part import PartBuilder
-from rosml.images.builds.push import push_together, pushed, pushing, write_excerpt
+from rosml.images.builds.push import push, push_together, pushing, write_excerpt
 from rosml.images.builds.variables import base, sync_dates, variables
 from rosml.images.image_set import missing
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
@@ -178,8 +178,7 @@ class BuildKitMaker:
             return pair
         start, call = self._call(request)
         self._make_room_for(request)
-        _, metadata = buildx.run(self.services, call)
-        return start, pushed(call, metadata)
+        return start, push(self.services, call)
 
     def _call(self, request: BuildRequest) -> tuple[str, buildx.Bake]:
         """The reference of the base image, and the call that builds and pushes a part or an image."""

@@ -95,7 +95,7 @@ def repositories(services: Services, matrix: Matrix, distribution: str, state: s
 
 def release(source: Source, environ: Mapping[str, str]) -> Release | None:
     """Reads the Release file of a source; None if apt installs nothing from there on its own."""
-    url = source.release(release_file.address(source.address, environ.get(MIRROR, ""), MIRROR))
+    url = source.release(release_file.address(source.address, environ, MIRROR))
     return described(source, release_file.read(url, RELEASE_BYTES, MIRROR), url)
 
 

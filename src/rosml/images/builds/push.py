@@ -11,7 +11,6 @@ from rosml.base.errors import RosmlError
 from rosml.images.bake import bake_file
 from rosml.images.image_set.model import ImageSet
 from rosml.machine import buildx
-from rosml.machine.progress import BuildProgress
 from rosml.machine.services import Services
 
 COMPRESSION = "compression=zstd,compression-level=7,oci-mediatypes=true"
@@ -33,14 +32,12 @@ def pushing(call: buildx.Bake, repository: str) -> buildx.Bake:
     return replace(call, sets=(output, *call.sets))
 
 
-def push_by_digest(services: Services, call: buildx.Bake, repository: str) -> tuple[BuildProgress, str]:
-    """Builds a target and pushes it, as `pushing` says. Returns the progress with all steps, and the digest."""
-    call = pushing(call, repository)
-    progress, metadata = buildx.run(services, call)
-    return progress, pushed(call, metadata)
+def push(services: Services, call: buildx.Bake) -> str:
+    """Builds and pushes a target by a call of `pushing`. Returns the digest."""
+    return _pushed(call, buildx.run(services, call)[1])
 
 
-def pushed(call: buildx.Bake, metadata: Mapping[str, str]) -> str:
+def _pushed(call: buildx.Bake, metadata: Mapping[str, str]) -> str:
     """The digest of what a call pushed, from buildx's facts."""
     if digest := metadata.get("containerimage.digest", ""):
         return digest
@@ -63,4 +60,4 @@ def push_together(services: Services, calls: Sequence[buildx.Bake], file: Path, 
     beside = tuple(call.target for call in others)
     whole = replace(first, file=file, name=name, sets=sets, variables=variables, beside=beside)
     metadata = buildx.run_all(services, whole)[1]
-    return {call.target: pushed(call, metadata.get(call.target, {})) for call in calls}
+    return {call.target: _pushed(call, metadata.get(call.target, {})) for call in calls}

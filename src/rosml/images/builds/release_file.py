@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
 
 import httpx
 
@@ -14,9 +15,9 @@ MIRROR = re.compile(r"https?://[A-Za-z0-9._~:@/-]+")
 """The same pattern as in components/build/network.sh and components/ros/apt.sh."""
 
 
-def address(official: str, mirror: str, variable: str) -> str:
+def address(official: str, environ: Mapping[str, str], variable: str) -> str:
     """The address of a repository, or of its copy on the mirror of a variable, which has a folder for each host."""
-    if not mirror:
+    if not (mirror := environ.get(variable, "")):
         return official
     if not MIRROR.fullmatch(mirror):
         raise RosmlError(f"{variable} is not an address", "set it to one such as http://host:3142", exit_code=2)

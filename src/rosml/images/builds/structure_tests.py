@@ -18,9 +18,6 @@ from rosml.images.image_set.model import Image
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 
-LABEL = "io.rosml."
-"""The prefix of our labels about the content of an image."""
-
 
 @dataclass(frozen=True)
 class Outcome:
@@ -71,7 +68,7 @@ def expected_labels(image: Image) -> dict[str, str]:
         **{item.name: item.version for item in image.brought},
         **{f"gpu.{name}": fact for name, fact in image.gpu.items()},
     }
-    return {LABEL + name: value for name, value in facts.items()}
+    return {labels.PREFIX + name: value for name, value in facts.items()}
 
 
 def expected_environment(image: Image) -> dict[str, str]:
@@ -118,7 +115,7 @@ def flat_config(config: Mapping[str, Any]) -> dict[str, Any]:
             "Entrypoint": inner.get("Entrypoint") or [],
             "Cmd": inner.get("Cmd") or [],
             "WorkingDir": inner.get("WorkingDir", ""),
-            "Labels": {key: value for key, value in sorted(image_labels.items()) if key.startswith(LABEL)},
+            "Labels": {key: value for key, value in sorted(image_labels.items()) if key.startswith(labels.PREFIX)},
         }
     }
 

@@ -27,15 +27,18 @@ LIST_BYTES, LIST_UNPACKED = 64 << 20, 128 << 20
 NAMES, LINE = 200_000, 1 << 20
 """The most packages of a list, and the most bytes of a line. Debian's own list has 70,000 packages."""
 
-
 _NAME = re.compile(rb"^Package: (\S{1,200})$", re.MULTILINE)
 
 
 def published(source: AptRepository, environ: Mapping[str, str] = os.environ) -> str:
     """When a repository was last published, such as 2026-11-20T21:14:09Z. The build verifies the signature."""
-    address = release_file.address(source.address, environ.get(MIRROR, ""), MIRROR)
-    url = f"{address}/dists/{source.codename}/InRelease"
+    url = f"{_suite(source, environ)}/InRelease"
     return date_of(release_file.read(url, RELEASE_BYTES, MIRROR), url)
+
+
+def _suite(source: AptRepository, environ: Mapping[str, str]) -> str:
+    """The address of a repository's Release file and lists."""
+    return f"{release_file.address(source.address, environ, MIRROR)}/dists/{source.codename}"
 
 
 def date_of(text: str, url: str) -> str:
@@ -54,8 +57,7 @@ def lacking(state: Path, source: AptRepository, architecture: str, packages: Ite
     The Release file names the list of packages by its digest, and this machine keeps the list under the digest. If the
     repository has no list in gzip, the result is empty.
     """
-    address = release_file.address(source.address, os.environ.get(MIRROR, ""), MIRROR)
-    suite = f"{address}/dists/{source.codename}"
+    suite = _suite(source, os.environ)
     release = release_file.read(f"{suite}/InRelease", RELEASE_BYTES, MIRROR)
     present: set[str] = set()
     for component in source.components:

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.images.builds.structure_tests import LABEL
+from rosml.images.image_set.labels import PREFIX
 
 BY_ARCHITECTURE = ("org.opencontainers.image.base.digest",)
 """Labels that may differ by architecture: a machine may use another base image than the one in matrix.yaml."""
@@ -51,7 +51,7 @@ def require(
         for name in sorted(facts[first].keys() | facts[other].keys()):
             value, other_value = facts[first].get(name, "nothing"), facts[other].get(name, "nothing")
             if value != other_value:
-                shown = name.removeprefix(LABEL)
+                shown = name.removeprefix(PREFIX)
                 raise RosmlError(
                     f"{target} is not the same on all architectures: {shown} is {value} on {first}, {other_value} on {other}",
                     "build both from the same inputs, or give them separate tags",

@@ -35,7 +35,7 @@ CUDA, COMMON, TORCH = 2 * 1000 + 2 * 100, 2 * 300 + 2 * 30, 2 * 2000 + 2 * 200
     ],
 )
 def test_needed(small: ImageSet, target: str, built: list[str], needed: int) -> None:
-    assert disk.needed_mb(small, small.image(target), built) == needed
+    assert disk.needed_mb(small, small.image(target), set(built)) == needed
 
 
 def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
