@@ -31,23 +31,16 @@ class Change:
 
 @dataclass(frozen=True)
 class Difference:
-    """Two versions of the project: targets of images, and the reasons of each changed one.
-
-    Attributes:
-        same: the number of unchanged images.
-        tags: the old and the new target of tags that moved between images, or that an image on both sides gained (None
-            before) or lost (None now).
-        unbuildable: added and changed images without a lock.
-        registry: the old and the new registry, if it changed: then all names change.
-    """
+    """Two versions of the project: targets of images, and the reasons of each changed one."""
 
     added: tuple[str, ...]
     removed: tuple[str, ...]
     changed: dict[str, tuple[Change, ...]]
-    same: int
+    same: int  # the number of unchanged images
+    # The old and the new target of tags that moved, or that an image on both sides gained (None before) or lost (None now).
     tags: dict[str, tuple[str | None, str | None]] = field(default_factory=dict)
-    unbuildable: tuple[str, ...] = ()
-    registry: tuple[str, str] | None = None
+    unbuildable: tuple[str, ...] = ()  # added and changed images without a lock
+    registry: tuple[str, str] | None = None  # the old and the new one, if it changed: then all names change
 
 
 def between(earlier: Inputs, later: Inputs) -> Difference:

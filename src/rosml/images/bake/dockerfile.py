@@ -10,27 +10,18 @@ from dataclasses import dataclass
 from rosml.base import untrusted
 
 _FROM = re.compile(r"FROM\s+(?:--\S+\s+)*(?P<base>\S+)(?:\s+AS\s+(?P<name>\S+))?")
-
-
 _COMMENT = re.compile(r"\s*#(?!\s*(?:syntax|escape)\s*=)")
 """A comment, but for the directives at a Dockerfile's top."""
 
 
 @dataclass(frozen=True)
 class Stage:
-    """A stage. Values may have `${ARGUMENTS}`, as written.
+    """A stage. Values may have `${ARGUMENTS}`, as written."""
 
-    Attributes:
-        digest: the digest of its instructions, without comments and blank lines.
-        stages: its base (the first one), and stages, contexts and images from which it takes files.
-        sources: files and folders of the checkout that it copies or mounts.
-        defaults: its arguments with a default.
-    """
-
-    digest: str
-    stages: tuple[str, ...]
-    sources: tuple[str, ...]
-    defaults: dict[str, str]
+    digest: str  # of its instructions, without comments and blank lines
+    stages: tuple[str, ...]  # its base (the first one), and stages, contexts and images from which it takes files
+    sources: tuple[str, ...]  # files and folders of the checkout that it copies or mounts
+    defaults: dict[str, str]  # of its arguments that have one
 
 
 def parse(text: str) -> dict[str, Stage]:
