@@ -22,8 +22,8 @@ def buildx() -> list[str]:
     services = ROOT / ".state/services.json"
     if services.is_file():
         return [str(word) for word in json.loads(services.read_text())["buildx"]]
-    if found := shutil.which("buildx", path=f"{ROOT}/.state/bin:{os.environ.get('PATH', '')}"):
-        return [found]
+    if program := shutil.which("buildx", path=f"{ROOT}/.state/bin:{os.environ.get('PATH', '')}"):
+        return [program]
     if shutil.which("docker") and not subprocess.run(["docker", "buildx", "version"], capture_output=True).returncode:
         return ["docker", "buildx"]
     pytest.skip("no buildx on this machine; 'rosml setup' installs it")
@@ -51,8 +51,8 @@ def evaluated(*names: str, file: Path | None = None, **env: str) -> dict[str, An
 
 def printed(*names: str, file: Path | None = None, **env: str) -> dict[str, Any]:
     """What buildx makes of the targets of a bake file, or of the committed ones."""
-    found: dict[str, Any] = evaluated(*names, file=file, **env)["target"]
-    return found
+    targets: dict[str, Any] = evaluated(*names, file=file, **env)["target"]
+    return targets
 
 
 def whole(image_set: ImageSet) -> str:

@@ -38,15 +38,8 @@ def since(text: str, root: Path = ROOT) -> differences.Difference:
 
 def test_nothing_differs(repository: Path) -> None:
     count = len(parse(SMALL).images)
-    nothing: dict[str, Any] = {
-        "added": [],
-        "removed": [],
-        "changed": {},
-        "tags": {},
-        "unbuildable": [],
-        "registry": None,
-    }
-    assert changes(repository, "HEAD") == nothing | {"same": count}
+    result = changes(repository, "HEAD")
+    assert result.pop("same") == count and not any(result.values())
     (repository / "matrix.yaml").write_text(f"# A comment.\n{SMALL}")
     (repository / "README.md").write_text("")
     cache = repository / "components/part/__pycache__"
@@ -64,9 +57,7 @@ def test_a_revision_counts_with_all_of_its_files(repository: Path) -> None:
     result = changes(repository, "HEAD~1")
     assert result["changed"].keys() == parse(SMALL).by_target.keys()
     for (change,) in result["changed"].values():
-        assert change["input"] == INSTALL
-        assert len(change["old"]) == len(change["new"]) == len(f"{'0' * 64} executable")
-        assert change["old"] != change["new"]
+        assert change["input"] == INSTALL and change["old"] != change["new"]
 
 
 def test_added_removed_and_changed(repository: Path) -> None:
@@ -101,24 +92,21 @@ def test_an_older_matrix_that_is_refused(repository: Path) -> None:
     (repository / "matrix.yaml").write_text(SMALL)
     done = diff(repository, "HEAD")
     assert (done.returncode, done.stdout) == (2, "")
-    assert "does not understand the matrix of revision HEAD:\nHEAD:matrix.yaml:1:1: version:" in done.stderr
-    assert "remedy: compare with a later revision" in done.stderr
+    assert "HEAD:matrix.yaml:1:1: version:" in done.stderr and "remedy: " in done.stderr
 
 
 @pytest.mark.parametrize("revision", ["nowhere", "", "-x", "HEAD:matrix.yaml"])
 def test_an_unknown_revision(revision: str, repository: Path) -> None:
     done = diff(repository, revision)
     assert (done.returncode, done.stdout) == (2, "")
-    assert f"error: no revision and no file named {revision!r}\nremedy: see the revisions" in done.stderr
+    assert f"no revision and no file named {revision!r}" in done.stderr
 
 
 def test_not_a_checkout(repository: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(repository.parent))
     shutil.rmtree(repository / ".git")
     done = diff(repository, "HEAD")
-    assert (done.returncode, done.stdout) == (1, "")
-    assert "not a git repository" in done.stderr
-    assert "remedy: call it in a git checkout" in done.stderr
+    assert (done.returncode, done.stdout) == (1, "") and "not a git repository" in done.stderr
 
 
 def test_a_link_out_of_the_checkout(repository: Path) -> None:
@@ -136,8 +124,7 @@ def test_images_that_change_for_one_reason_share_a_row(capsys: pytest.CaptureFix
     ((kind, why, images),) = differences.rows(result)
     assert kind == "changed"
     assert why == "base image docker.io/library/ubuntu:24.04: sha256:111111111111 → sha256:333333333333"
-    shown = list(result.changed)[: problems.SOME]
-    assert images == f"{', '.join(shown)} and {len(result.changed) - problems.SOME} more"
+    assert images.endswith(f" and {len(result.changed) - problems.SOME} more")
     tables.print_difference(result)
     lines = capsys.readouterr().out.splitlines()
     assert len(lines) == 3
@@ -204,9 +191,8 @@ def test_only_the_words_that_differ_are_shown(old_words: str | None, new_words: 
     ]
 
 
-def test_tags_that_move(capsys: pytest.CaptureFixture[str]) -> None:
-    newer = changed("    default_stack: cu1\n", "    default_stack: cpu\n")
-    changes = differences.between(Inputs(ROOT, parse(SMALL)), Inputs(ROOT, parse(newer)))
+def test_tags_that_move() -> None:
+    changes = since(changed("    default_stack: cu1\n", "    default_stack: cpu\n"))
     assert changes.tags == {
         "ros-torch:alpha": ("alpha-base-torch-cu1", "alpha-base-torch-cpu"),
         "ros-torch:latest": ("alpha-base-torch-cu1", "alpha-base-torch-cpu"),
@@ -215,12 +201,10 @@ def test_tags_that_move(capsys: pytest.CaptureFixture[str]) -> None:
         "ros-cuda:alpha": ("alpha-base-cuda-cu1", None),
         "ros-cuda:latest": ("alpha-base-cuda-cu1", None),
     }
-    tables.print_difference(changes)
-    lines = [line.split() for line in capsys.readouterr().out.splitlines()]
-    assert lines[1:-1] == [
-        ["tags", "moved", "alpha-base-torch-cu1", "→", "alpha-base-torch-cpu", "ros-torch:alpha,", "ros-torch:latest"],
-        ["tags", "moved", "alpha-base-ml-cu1", "→", "alpha-base-ml-cpu", "ros-ml:alpha,", "ros-ml:latest"],
-        ["2", "tags", "gone", "ros-cuda:alpha,", "ros-cuda:latest"],
+    assert [*differences.rows(changes)] == [
+        ("tags moved", "alpha-base-torch-cu1 → alpha-base-torch-cpu", "ros-torch:alpha, ros-torch:latest"),
+        ("tags moved", "alpha-base-ml-cu1 → alpha-base-ml-cpu", "ros-ml:alpha, ros-ml:latest"),
+        ("2 tags gone", "", "ros-cuda:alpha, ros-cuda:latest"),
     ]
 
 
@@ -231,14 +215,13 @@ def test_images_that_cannot_be_built(capsys: pytest.CaptureFixture[str]) -> None
     result = differences.between(Inputs(ROOT, parse(SMALL)), Inputs(ROOT, with_locks(parse(text), locks)))
     added = [f"omega-desktop-torch-{stack}" for stack in ("cu1", "cpu")]
     assert set(added) < set(result.unbuildable) <= {*result.added, *result.changed}
-    rows = [(kind, why, which) for kind, why, which in differences.rows(result) if not why.startswith("base image")]
+    rows = [row for row in differences.rows(result) if not row[1].startswith("base image")]
     assert [row[:2] for row in rows] == [
         ("changed", differences.NO_LOCK),
         ("added", differences.NO_LOCK),
         ("added", ""),
     ]
-    assert rows[1][2] == ", ".join(added)
-    assert "torch" not in rows[2][2]
+    assert rows[1][2] == ", ".join(added) and "torch" not in rows[2][2]
     tables.print_difference(result)
     unlocked = len(result.unbuildable) - 2
     last = capsys.readouterr().out.splitlines()[-1]
