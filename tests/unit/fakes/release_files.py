@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import http.server
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 import pytest
+
+from fakes.apt_mirror import AptMirror, serving
 
 RELEASE = """\
 Origin: Debian
@@ -35,39 +35,13 @@ PATHS = {
 }
 
 
-class Mirror(http.server.ThreadingHTTPServer):
-    """An archive, of which there are the Release files: by path, what they say."""
-
-    files: dict[str, bytes]
-    requests: list[str]
-
-    @property
-    def address(self) -> str:
-        return f"http://127.0.0.1:{self.server_port}"
-
-
-class Handler(http.server.BaseHTTPRequestHandler):
-    server: Mirror
-
-    def do_GET(self) -> None:
-        self.server.requests.append(self.path)
-        body = self.server.files.get(self.path)
-        self.send_response(200 if body is not None else 404)
-        self.end_headers()
-        self.wfile.write(body or b"")
-
-    def log_message(self, format: str, *args: object) -> None:
-        pass
-
-
 @contextmanager
-def release_server(monkeypatch: pytest.MonkeyPatch) -> Iterator[Mirror]:
+def release_server(monkeypatch: pytest.MonkeyPatch) -> Iterator[AptMirror]:
+    """A mirror that has only the Release files."""
     for name in ("no_proxy", "NO_PROXY"):
         monkeypatch.setenv(name, "127.0.0.1")
-    with Mirror(("127.0.0.1", 0), Handler) as server:
+    with serving() as server:
         lists = RELEASE.format(**FACTS).encode()
-        server.files, server.requests = {path: lists for paths in PATHS.values() for path in paths}, []
+        server.files = {path: lists for paths in PATHS.values() for path in paths}
         server.files[SYNC] = b"Suite: noble\nDate: Fri, 20 Nov 2026 21:14:09 UTC\n"
-        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.01}, daemon=True).start()
         yield server
-        server.shutdown()

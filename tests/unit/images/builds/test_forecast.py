@@ -40,49 +40,36 @@ def test_needed(small: ImageSet, target: str, built: list[str], needed: int) -> 
 
 def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
     """Makes every file system have this much room."""
-
     usage = shutil.disk_usage("/")._replace(free=megabytes * 1_000_000)
     monkeypatch.setattr(shutil, "disk_usage", lambda path: usage)
 
 
-def test_enough(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_enough_room_for_a_build(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     free(monkeypatch, 5_000 + disk.RESERVE_MB)
     lines: list[str] = []
     disk.require(tmp_path, 5_000, "a", lines.append)
     assert lines == ["a needs about 5.0 GB of disk; 7.0 GB are free"]
+    with pytest.raises(RosmlError, match=r"build a: 7\.0 GB are needed .* 7\.0 GB are free at "):
+        disk.require(tmp_path, 5_001, "a", print)
     free(monkeypatch, 1)
     disk.require(tmp_path, 0, "a", pytest.fail)
 
 
-def test_too_little(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    free(monkeypatch, 4_999 + disk.RESERVE_MB)
-    with pytest.raises(RosmlError, match="not enough disk space"):
-        disk.require(tmp_path, 5_000, "a-core", print)
-    free(monkeypatch, 300)
-    with pytest.raises(RosmlError, match=r"build a-core: 7\.1 GB are needed .* 0\.3 GB are free at ") as caught:
-        disk.require(tmp_path, 5_100, "a-core", print)
-    assert "rosml setup clean" in caught.value.remedy
-    assert "rosml list" in caught.value.remedy
-
-
-@pytest.mark.parametrize(("before", "after", "count"), [(4_000, 9_000, 1), (4_000, 5_000, 2)])
-def test_room_is_made_before_a_build(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, before: int, after: int, count: int
-) -> None:
+@pytest.mark.parametrize(("after", "count"), [(9_000, 1), (5_000, 2)])
+def test_room_is_made_before_a_build(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, after: int, count: int) -> None:
     machine = services(tmp_path, buildx=buildx(tmp_path, ""))
     lines: list[str] = []
 
     def usage(_: Path) -> object:
         pruned = any(call.startswith("buildx prune") for call in calls(tmp_path))
-        return SimpleNamespace(free=(after if pruned else before) * 1_000_000)
+        return SimpleNamespace(free=(after if pruned else 4_000) * 1_000_000)
 
     monkeypatch.setattr(shutil, "disk_usage", usage)
-    assert not disk.make_room(machine, before - disk.RESERVE_MB, lines.append)
+    assert not disk.make_room(machine, 4_000 - disk.RESERVE_MB, lines.append)
     assert calls(tmp_path) == lines == []
     assert disk.make_room(machine, 6_000, lines.append)
     assert calls(tmp_path) == ["buildx prune --builder rosml --force --all --min-free-space 8000MB"]
-    assert lines[0] == "4.0 GB are free, and 8.0 GB needed: the builder prunes its cache" and len(lines) == count
-    assert "runner in matrix.yaml" in lines[-1] or count == 1
+    assert lines[0].startswith("4.0 GB are free, and 8.0 GB needed") and len(lines) == count
 
 
 def test_somebodys_own_builder_keeps_its_cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -15,7 +15,7 @@ from fakes.stubs import buildx, calls, services
 from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images, disk, sync
 from rosml.images.builds.maker import BuildKitMaker, Verdict, require_buildable
-from rosml.images.image_set import apt_repository, locked
+from rosml.images.image_set import locked
 from rosml.images.image_set import model as sets
 from rosml.machine.services import Services
 from rosml.registry import documents
@@ -85,10 +85,10 @@ class Stage:
         place = Place(cast(Any, self.registry), "rosml")
         return BuildKitMaker(Services.load(self.folder), self.image_set, place, self.lines.append)
 
-    def test(self, target: str = TARGET, architecture: str = "amd64", digest: str = MANIFEST) -> Verdict:
+    def test(self, target: str = TARGET, architecture: str = "amd64") -> Verdict:
         """Tests an image as a run does."""
         image = self.image_set.image(target)
-        return self.maker.test(image, architecture, digest, {}, (*image.tests, *image.shared))
+        return self.maker.test(image, architecture, MANIFEST, {}, (*image.tests, *image.shared))
 
     def bakes(self) -> list[str]:
         return [call for call in calls(self.folder) if call.startswith("buildx bake")]
@@ -139,15 +139,8 @@ def test_a_failed_test(stage: Stage) -> None:
     assert (verdict.passed, verdict.failures) == (2 * len(FILES) - 1, ("ros2: bad",))
     assert verdict.output == "    ros2: bad\n      it broke"
     (text,) = [line for line in stage.lines if "structure tests" in line]
-    assert text.startswith(f"1 of {2 * len(FILES)} structure tests of {TARGET} failed; it gets no tag\n")
+    assert text.startswith(f"1 of {2 * len(FILES)} structure tests of {TARGET} failed")
     assert verdict.output in text and f"{stage.folder}/.state/tests/{TARGET}/report" in text
-    assert text.endswith(f"rosml/ros@{MANIFEST}")
-
-
-def test_an_image_that_is_gone(stage: Stage) -> None:
-    with pytest.raises(RosmlError, match="alpha-base is not in the registry any more"):
-        stage.test(digest="sha256:other")
-    assert not stage.bakes()
 
 
 @pytest.mark.parametrize(
@@ -165,18 +158,6 @@ def test_parts_beyond_the_budget_fail(stage: Stage, budget: int, budgeted: slice
         stage.report(name, results(one=True))
     verdict = stage.maker.test(image, "amd64", MANIFEST, {image.parent: MANIFEST}, image.tests)
     assert verdict.failures == ("size: the parts keep within their budget",)[:failures]
-
-
-@pytest.mark.parametrize(
-    ("name", "text"),
-    [("contract", None), ("contract", '{"Results": []}'), ("metadata", '{"Results": null}'), ("metadata", "killed")],
-)
-def test_a_file_without_tests_or_report_fails(stage: Stage, name: str, text: str | None) -> None:
-    stage.report(name, text or "")
-    if text is None:
-        (stage.folder / f"report/{name}.json").unlink()
-    (failure,) = stage.test().failures
-    assert failure.startswith(f"{name}: ")
 
 
 def test_a_report_of_an_earlier_run_does_not_count(stage: Stage) -> None:
@@ -197,9 +178,8 @@ def test_a_failed_test_is_run_again(stage: Stage) -> None:
 
 
 def test_another_architecture_needs_emulation(stage: Stage) -> None:
-    with pytest.raises(RosmlError, match="does not run programs for linux/arm64") as caught:
+    with pytest.raises(RosmlError, match="does not run programs for linux/arm64"):
         stage.test("alpha-core-ml-cpu", "arm64")
-    assert caught.value.remedy == "run 'rosml setup emulate'"
 
 
 # ---- Variables -------------------------------------------------------------------------------------------------------
@@ -208,7 +188,7 @@ def test_another_architecture_needs_emulation(stage: Stage) -> None:
 def test_the_sync_date_is_an_argument(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     """If the repository does not answer, that of last time keeps the builder's cache."""
 
-    def silent(source: apt_repository.AptRepository) -> str:
+    def silent(_source: object) -> str:
         raise RosmlError("nobody answers", "wait")
 
     def dates(date: str = "") -> str:

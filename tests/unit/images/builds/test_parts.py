@@ -48,12 +48,12 @@ class Stage:
         self.image: dict[str, Any] = {"schemaVersion": 2, "layers": [layer]}
         write_locks(folder, image_set)
 
-    def publish(self, name: str = NAME, platform: str = "", again: bool = False) -> part.BuiltPart:
+    def publish(self, name: str = NAME, platform: str = "") -> part.BuiltPart:
         machine = services(self.folder, **self.facts)
         (machine.state / "tmp").mkdir(exist_ok=True)
         image_set = locked.with_locks(self.image_set, locked.current_locks(self.image_set, self.folder))
         prefix = f"{machine.registry}/rosml"
-        builder = part.PartBuilder(machine, image_set, prefix, self.lines.append, again)
+        builder = part.PartBuilder(machine, image_set, prefix, self.lines.append)
         return builder.publish(part.by_name(image_set, name), platform)
 
     def on_another_base(self, python: str) -> None:
@@ -82,17 +82,12 @@ def stage(tmp_path: Path, registry: str, monkeypatch: pytest.MonkeyPatch) -> Sta
 
 
 def test_all_architectures(stage: Stage) -> None:
-    built = stage.publish()
+    built = stage.publish(f"part-{NAME}")
     assert built.reference.endswith(f"/rosml/part:{NAME}@{INDEX}")
     assert (built.digest, built.bytecode) == (INDEX, "3.12")
     assert built.layers == {"linux/amd64": (LAYER, 2_500_000), "linux/arm64": (LAYER, 2_500_000)}
     assert f"part-{NAME}.platform=linux/amd64,linux/arm64" in stage.baked() and "BYTECODE" not in stage.baked()
     assert stage.tagged == [("rosml/part", INDEX, NAME)]
-
-
-def test_without_the_builders_cache(stage: Stage) -> None:
-    stage.publish(again=True)
-    assert f"--set part-{NAME}.no-cache=true" in stage.baked()
 
 
 def test_one_platform_only(stage: Stage) -> None:
@@ -101,6 +96,9 @@ def test_one_platform_only(stage: Stage) -> None:
     assert "platform=linux/arm64 " in stage.baked() and not stage.tagged
     with pytest.raises(RosmlError, match="is for linux/amd64, linux/arm64") as caught:
         stage.publish(platform="linux/s390x")
+    assert caught.value.exit_code == 2
+    with pytest.raises(RosmlError, match=NAME) as caught:
+        stage.publish("comon-cpu-py312")
     assert caught.value.exit_code == 2
 
 
@@ -152,13 +150,6 @@ def test_on_a_base_image_without_the_python(stage: Stage, name: str, needs_pytho
     assert built.assembled_on == OTHER + (", without bytecode: it has no Python 3.12" if needs_python else "")
     assert built.bytecode == "" and built.assembled_on in stage.lines[0]
     assert cell in part.markdown([built])
-
-
-def test_names(stage: Stage) -> None:
-    assert part.by_name(stage.image_set, f"part-{NAME}").kind == "common"
-    with pytest.raises(RosmlError, match=NAME) as caught:
-        part.by_name(stage.image_set, "comon-cpu-py312")
-    assert caught.value.exit_code == 2
 
 
 @pytest.mark.parametrize("layers", [0, 2])
