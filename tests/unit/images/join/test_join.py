@@ -11,8 +11,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from hypothesis import HealthCheck, given, settings
-from hypothesis import strategies as st
 
 from fakes.http_registry import DROP, Fault, local_registry
 from fakes.joins import AMD64, BOTH, GRAPH, TENSORFLOW, TORCH, Place, joining
@@ -60,31 +58,23 @@ def test_an_image(place: Place) -> None:
         "NVIDIA_REQUIRE_CUDA=cuda>=12.0",
     ]
     assert config["config"]["Entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
+    ours = {"component": "core", "distribution": "ros1-bookworm", "framework": "torch", "os": "bookworm", "ros": "1"}
+    ours |= {"python": "3.11", "stack": "cu128", "cuda": "12.8.90", "cudnn": "9.10.2.21", "torch": "2.10.0"}
+    ours |= {"parts": "cuda common torch", "gpu.driver": "525", "gpu.torch.amd64": "sm_80 sm_90"}
     assert config["config"]["Labels"] == {
         "org.opencontainers.image.title": "ros1-bookworm-core-torch-cu128",
         "org.opencontainers.image.description": "ROS 1 core (ros1-bookworm), PyTorch 2.10.0, CUDA 12.8.90",
         "org.opencontainers.image.version": "ros1-bookworm-core-cu128-torch2.10.0",
         "org.opencontainers.image.licenses": "Apache-2.0",
-        "io.rosml.component": "core",
-        "io.rosml.distribution": "ros1-bookworm",
-        "io.rosml.framework": "torch",
-        "io.rosml.os": "bookworm",
-        "io.rosml.python": "3.11",
-        "io.rosml.ros": "1",
-        "io.rosml.stack": "cu128",
-        "io.rosml.cuda": "12.8.90",
-        "io.rosml.cudnn": "9.10.2.21",
-        "io.rosml.torch": "2.10.0",
-        "io.rosml.parts": "cuda common torch",
-        "io.rosml.gpu.driver": "525",
-        "io.rosml.gpu.torch.amd64": "sm_80 sm_90",
+        **{f"io.rosml.{name}": text for name, text in ours.items()},
     }
     assert (report.layers, report.mounted, report.copied, report.unlisted) == (4, 4, 0, [])
     assert report.uploaded == place.registry.uploaded - before < 10_000
     index = place.manifest("me/mine", "mine")
     assert index.digest == report.digest
-    assert index.content["annotations"]["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-cu128"
-    assert not any(name.startswith("io.rosml.") for name in index.content["annotations"])
+    annotations = index.content["annotations"]
+    assert annotations[labels.TITLE] == "ros1-bookworm-core-torch-cu128"
+    assert not any(name.startswith("io.rosml.") for name in annotations)
 
 
 def test_arguments_of_builds_are_left_out_of_the_history(place: Place) -> None:
@@ -119,22 +109,19 @@ def test_addons_onto_an_image_that_has_a_framework(place: Place) -> None:
     first = place.join(base.reference, *graph, tag="first")
     assert place.registry.uploaded - before < 10_000 and (first.layers, first.copied) == (6, 0)
     texts = place.labels(first)
-    assert texts["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-graph-cu128"
+    assert texts[labels.TITLE] == "ros1-bookworm-core-torch-graph-cu128"
     assert texts["org.opencontainers.image.description"].endswith("PyTorch 2.10.0, CUDA 12.8.90, GRAPH 1.23.2")
     assert texts["org.opencontainers.image.version"] == "ros1-bookworm-core-cu128-torch2.10.0-graph1.23.2"
     names = ("framework", "addons", "torch", "parts")
     expected = ["torch", "graph", "2.10.0", "cuda common torch graph-cc graph"]
     assert [texts[f"io.rosml.{name}"] for name in names] == expected
-    assert {name for name in texts if name.startswith(labels.GPU)} == {
-        labels.GPU + name for name in ("driver", "torch.amd64", "graph.amd64")
-    }
+    assert {labels.GPU + name for name in ("driver", "torch.amd64", "graph.amd64")} <= texts.keys()
     environment = {*place.image(first)[1]["config"]["Env"]}
     assert {"TORCH_VERSION=2.10.0", "GRAPH_VERSION=1.23.2", "CUDA_VERSION=12.8.90"} <= environment
 
     second = place.labels(place.join(first.reference, devel, tag="second"))
     assert (second["io.rosml.addons"], second["io.rosml.parts"].split()[-1]) == ("devel graph", "devel")
-    assert second["org.opencontainers.image.title"] == "ros1-bookworm-core-torch-devel-graph-cu128"
-
+    assert second[labels.TITLE] == "ros1-bookworm-core-torch-devel-graph-cu128"
     once = place.labels(place.join(place.ros(), *reversed([devel, *graph]), *torch, tag="once"))
     assert once["io.rosml.parts"] == "cuda common torch devel graph-cc graph"
     assert once["io.rosml.addons"] == "devel graph"
@@ -178,23 +165,16 @@ def test_frameworks(place: Place, kinds: tuple[str, ...], stack: str, framework:
     assert [layer["digest"] for layer in manifest["layers"]] == place.layers(base, *images)
 
 
-@given(data=st.data())
-@settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-def test_same_parts_same_bytes(place: Place, data: st.DataObject) -> None:
-    """In any order, by whatever names, from another repository: the same digest."""
-    kinds = data.draw(st.sampled_from([TORCH, PARTS, ("cuda",)]))
-    first = place.join(place.ros(), *place.stack(kinds), tag="first")
-    images = data.draw(st.permutations(place.stack(kinds)))
-    if data.draw(st.booleans()):
-        images = [_by_digest(place, name) for name in images]
-    if data.draw(st.booleans()):
-        images = [part(kind).put(place.registry, "elsewhere", kind) for kind in kinds]
-    assert place.join(place.ros(), *images, tag="second").digest == first.digest
-
-
-def _by_digest(place: Place, name: str) -> str:
-    item = references.parse(name)
-    return str(item._replace(reference=place.registry.head(item.repository, item.reference)))
+def test_same_parts_same_bytes(place: Place) -> None:
+    """In any order, by digest, from another repository: the same digest."""
+    images = place.stack()
+    first = place.join(place.ros(), *images, tag="first")
+    places = [references.parse(name) for name in images]
+    heads = [place.registry.head(item.repository, item.reference) for item in places]
+    by_digest = [str(item._replace(reference=digest)) for item, digest in zip(places, heads, strict=True)]
+    elsewhere = [part(kind).put(place.registry, "elsewhere", kind) for kind in TORCH]
+    for others in (*itertools.permutations(images), by_digest, elsewhere):
+        assert place.join(place.ros(), *others, tag="second").digest == first.digest
 
 
 def test_a_second_call_moves_nothing_but_the_tag(place: Place) -> None:
@@ -211,9 +191,11 @@ def test_every_platform_that_all_have(place: Place) -> None:
     images = [place.ros(platforms=BOTH), *(place.put(part(kind), kind, BOTH) for kind in TORCH)]
     report = place.join(*images)
     assert list(report.manifests) == list(BOTH) and place.lines == []
-    assert [
-        (entry["platform"], entry["digest"]) for entry in place.manifest("me/mine", "mine").content["manifests"]
-    ] == [({"os": "linux", "architecture": name}, report.manifests[f"linux/{name}"]) for name in ("amd64", "arm64")]
+    entries = place.manifest("me/mine", "mine").content["manifests"]
+    assert [entry["digest"] for entry in entries] == [*report.manifests.values()]
+    assert [entry["platform"] for entry in entries] == [
+        {"os": "linux", "architecture": name} for name in ("amd64", "arm64")
+    ]
     assert place.image(report, "linux/arm64")[1]["architecture"] == "arm64"
     arm64 = place.join(*images, platforms=["linux/arm64"], tag="arm64").manifests
     assert arm64 == {"linux/arm64": report.manifests["linux/arm64"]}
@@ -352,9 +334,6 @@ def test_errors_of_the_command(place: Place, capsys: pytest.CaptureFixture[str])
     images, tag = [place.ros(), *place.stack(("common",), "cpu")], f"{place.server.address}/me/mine:x"
     code, out, err = call(capsys, *images, "--tag", tag)
     assert (code, out) == (2, "") and "remedy: add torch-cpu-py311" in err
-    for wrong in ([images[0]], [*images], [*images, "--tag", "x"]):
-        assert call(capsys, *wrong)[0] == 2
     images = [place.ros(), *place.stack(("cuda",))]
     place.server.fault("PUT", "/manifests/", 400)
-    code, _, err = call(capsys, *images, "--tag", tag)
-    assert code == 1 and "Traceback" not in err
+    assert call(capsys, *images, "--tag", tag)[0] == 1

