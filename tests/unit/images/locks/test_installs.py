@@ -68,10 +68,8 @@ def test_an_index_that_does_not_answer_is_no_refusal(tmp_path: Path) -> None:
 
 def test_every_stack_and_python_is_looked_at() -> None:
     image_set = load.load(ROOT / "matrix.yaml", ROOT)
-    locked = {(image.stack, image.python) for image in image_set.images if image.locked and image.framework == "torch"}
-    locked |= {
-        (image.stack, image.python) for image in image_set.images if image.locked and image.framework == "tensorflow"
-    }
+    images = [image for image in image_set.images if image.locked and image.framework in ("torch", "tensorflow")]
+    locked = {(image.stack, image.python) for image in images}
     environments = [(item.stack, item.python) for item in installs.environments(image_set)]
     assert set(environments) == locked and len(environments) == len(locked)
     assert all(len(installs.PACKAGES) == len(items) for items in committed().values())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 
@@ -28,10 +29,6 @@ def of_cu1(image_set: ImageSet) -> Request:
     return next(item for item in requests.requests(image_set) if (item.stack, item.python) == ("cu1", "3.12"))
 
 
-def locked(*pins: str) -> str:
-    return "".join(f"{item} \\\n    --hash=sha256:{'0' * 64}\n" for item in pins)
-
-
 # ---- What is resolved ------------------------------------------------------------------------------------------------
 
 
@@ -41,17 +38,12 @@ def test_one_request_for_each_stack_python_and_architecture(real: ImageSet) -> N
         for item in requests.requests(real)
         if item.ros or not real.matrix.stacks[item.stack].apart or "tensorflow" in item.roots
     ]
-    assert len(keys) == len(set(keys))
-    needed = {
-        (part.stack, architecture, part.python)
-        for part in real.parts
-        for architecture in part.architectures
-        if part.python != "any"
-    }
+    parts = [part for part in real.parts if part.python != "any"]
+    needed = {(part.stack, architecture, part.python) for part in parts for architecture in part.architectures}
     needed |= {
         (item.distribution, architecture, item.python) for item in real.wheels for architecture in item.architectures
     }
-    assert set(keys) == needed
+    assert len(keys) == len(set(keys)) and set(keys) == needed
 
 
 def test_request() -> None:
@@ -72,8 +64,8 @@ def test_what_goes_with_a_release_is_resolved_and_dealt_out_with_it(tmp_path: Pa
     assert item.beside == {"torch": ("torchvision==0.25.0",), "tensorflow": ()}
     assert item.overrides == ("setuptools>=66",)
     resolve.resolve(replace(item, provided={"setuptools": "68.1.2"}), Uv(fake_uv(tmp_path)))
-    asked_for = (tmp_path / "seen-in.txt").read_text()
-    assert asked_for.startswith("torch==2.10.0\ntensorflow==2.20.0\ntorchvision==0.25.0\nnumpy")
+    requirements = (tmp_path / "seen-in.txt").read_text()
+    assert requirements.startswith("torch==2.10.0\ntensorflow==2.20.0\ntorchvision==0.25.0\nnumpy")
     assert " --override overrides.txt " in calls(tmp_path)[0]
     pins = [pin("torch"), pin("torchvision"), pin("pillow", "torchvision"), pin("numpy", "torchvision")]
     pins.append(pin("tensorflow"))
@@ -101,23 +93,6 @@ TAKEN = changed(
 """What goes with torch is in a part of its own, and all of it comes from another index."""
 
 
-@pytest.mark.parametrize(
-    ("name", "version", "current"),
-    [
-        ("torch-cu1-py312", "torch==2.10.0", True),
-        ("vision-cu1", "torchvision==0.25.0", True),
-        ("vision-cu1", "torchvision==0.24.0", False),
-        ("vision-cu1", "numpy==1.26.4", False),
-    ],
-)
-def test_what_goes_with_a_release_may_be_in_another_part(name: str, version: str, current: bool) -> None:
-    image_set = parse(TAKEN)
-    part = image_set.part_by_name[name]
-    head = names.lock_head(part.stack, "amd64", part.python, part.kind)
-    adapted = "# adapted: torch setuptools>=66\n" if part.kind == "torch" else ""
-    assert lock_file.current(f"{head}\n{adapted}{locked(version)}", part, image_set.matrix, "amd64") == current
-
-
 def test_a_release_of_another_index(tmp_path: Path) -> None:
     """Locks ask it, and so do the builds of those parts whose packages it has. tests/unit/images/locks/test_pytorch_index.py calls uv."""
     image_set = parse(TAKEN)
@@ -138,48 +113,44 @@ def test_nothing_goes_with_wheels_that_only_pytorchs_own_index_has() -> None:
     assert beside == {"cu1": ("torchvision==0.25.0",), "cpu": ()}
 
 
-HEAD = "# Part 'torch' of stack cu1, Python 3.12, amd64.\n"
+ADDS = changed("takes: [nvidia-*]", 'takes: [nvidia-*], adds: {"12": [nvidia-a, "nvidia-b>=12.3"], "13": [nvidia-c]}')
 ADAPTED = "# adapted: torch setuptools>=66\n"
 
 
 @pytest.mark.parametrize(
-    ("lines", "versions", "current"),
+    ("matrix", "name", "lines", "pins", "current"),
     [
-        (ADAPTED, "2.10.0 0.25.0", True),
-        ("", "2.10.0 0.25.0", False),
-        (ADAPTED.replace("66", "59"), "2.10.0 0.25.0", False),
-        (ADAPTED + ADAPTED, "2.10.0 0.25.0", False),
-        (ADAPTED, "2.10.0 0.24.0", False),
-        (ADAPTED, "2.10.0", False),
+        (WITH_COMPANY, "torch-cu1-py312", ADAPTED, "torch==2.10.0 torchvision==0.25.0", True),
+        (WITH_COMPANY, "torch-cu1-py312", "", "torch==2.10.0 torchvision==0.25.0", False),
+        (WITH_COMPANY, "torch-cu1-py312", ADAPTED.replace("66", "59"), "torch==2.10.0 torchvision==0.25.0", False),
+        (WITH_COMPANY, "torch-cu1-py312", ADAPTED + ADAPTED, "torch==2.10.0 torchvision==0.25.0", False),
+        (WITH_COMPANY, "torch-cu1-py312", ADAPTED, "torch==2.10.0 torchvision==0.24.0", False),
+        (WITH_COMPANY, "torch-cu1-py312", ADAPTED, "torch==2.10.0", False),
+        (TAKEN, "torch-cu1-py312", ADAPTED, "torch==2.10.0", True),
+        (TAKEN, "vision-cu1", "", "torchvision==0.25.0", True),
+        (TAKEN, "vision-cu1", "", "torchvision==0.24.0", False),
+        (TAKEN, "vision-cu1", "", "numpy==1.26.4", False),
+        (ADDS, "cuda-cu1", "", "nvidia-a==12.8.9 nvidia-b==12.9.1", True),
+        (ADDS, "cuda-cu1", "", "nvidia-a==12.9.1 nvidia-b==12.9.1", False),
+        (ADDS, "cuda-cu1", "", "nvidia-b==12.9.1", False),
+        (ADDS, "cuda-cu1", "", "nvidia-a==12.8.9", False),
     ],
 )
-def test_a_lock_without_what_goes_with_the_release_is_none(lines: str, versions: str, current: bool) -> None:
-    image_set = parse(WITH_COMPANY)
-    pins = [f"{name}=={version}" for name, version in zip(("torch", "torchvision"), versions.split(), strict=False)]
-    part = image_set.part_by_name["torch-cu1-py312"]
-    assert lock_file.current(HEAD + lines + locked(*pins), part, image_set.matrix, "amd64") == current
-
-
-ADDS = ("takes: [nvidia-*]", 'takes: [nvidia-*], adds: {"12": [nvidia-a, "nvidia-b>=12.3"], "13": [nvidia-c]}')
+def test_a_lock_has_what_goes_with_a_release_and_what_its_part_adds(
+    matrix: str, name: str, lines: str, pins: str, current: bool
+) -> None:
+    image_set = parse(matrix)
+    part = image_set.part_by_name[name]
+    head = names.lock_head(part.stack, "amd64", part.python, part.kind)
+    hashed = "".join(f"{pin} \\\n    --hash=sha256:{'0' * 64}\n" for pin in pins.split())
+    assert lock_file.current(f"{head}\n{lines}{hashed}", part, image_set.matrix, "amd64") == current
 
 
 def test_what_no_release_asks_for(tmp_path: Path) -> None:
-    added = {item.stack: item.added for item in requests.requests(parse(changed(*ADDS)))}
+    added = {item.stack: item.added for item in requests.requests(parse(ADDS))}
     assert added == {"cu1": ("nvidia-a==12.8.*", "nvidia-b>=12.3"), "cpu": ()}
     resolve.resolve(request(added=added["cu1"]), Uv(fake_uv(tmp_path)))
     assert "nvidia-a==12.8.*\nnvidia-b>=12.3\n" in (tmp_path / "seen-in.txt").read_text()
-
-
-@pytest.mark.parametrize(
-    ("pins", "current"),
-    [("a==12.8.9 b==12.9.1", True), ("a==12.9.1 b==12.9.1", False), ("b==12.9.1", False), ("a==12.8.9", False)],
-)
-def test_a_lock_without_what_the_part_adds_is_not_current(pins: str, current: bool) -> None:
-    image_set = parse(changed(*ADDS))
-    part = next(part for part in image_set.parts if part.kind == "cuda")
-    lines = locked(*(f"nvidia-{item}" for item in pins.split()))
-    text = f"# Part 'cuda' of stack cu1, Python any, amd64.\n{lines}"
-    assert lock_file.current(text, part, image_set.matrix, "amd64") == current
 
 
 def test_only_what_has_a_wheel_is_asked_for(small: ImageSet) -> None:
@@ -286,12 +257,8 @@ def test_one_cuda_for_all_pythons(tmp_path: Path, small: ImageSet) -> None:
 )
 def test_another_cuda_than_promised(cuda: dict[str, str], package: str, version: str, complaint: str) -> None:
     pins = [pin("torch"), pin(package, "torch", version=version)]
-    if not complaint:
+    with pytest.raises(RosmlError, match=complaint) if complaint else nullcontext():
         resolve.require_one_cuda(request(cuda=cuda), pins)
-        return
-    with pytest.raises(RosmlError, match=complaint) as caught:
-        resolve.require_one_cuda(request(cuda=cuda), pins)
-    assert "stack of its own" in caught.value.remedy
 
 
 # ---- More than one index, and frameworks that contradict each other --------------------------------------------------
@@ -348,11 +315,16 @@ def test_the_rest_of_a_stack_is_locked_where_that_index_does_not_answer(tmp_path
     assert locks.left_out == {f"stack cpu, Python {python}, amd64 (torch)": reason for python in ("3.12", "3.14")}
 
 
-def test_locks_stay_that_were_made_where_that_index_answers(tmp_path: Path) -> None:
-    folder = tmp_path / "locks/cpu/amd64/3.12"
+def put_locks(root: Path, **packages: str) -> None:
+    """Writes earlier locks of the stack without CUDA, each with a package of version 1."""
+    folder = root / "locks/cpu/amd64/3.12"
     folder.mkdir(parents=True)
-    for name in ("common", "torch", "tensorflow"):
-        (folder / f"{name}.txt").write_text(f"{name}==1\n")
+    for name, package in packages.items():
+        (folder / f"{name}.txt").write_text(f"{package}==1\n")
+
+
+def test_locks_stay_that_were_made_where_that_index_answers(tmp_path: Path) -> None:
+    put_locks(tmp_path, common="common", torch="torch", tensorflow="tensorflow")
     locks = lock.lock(parse(ELSEWHERE_MATRIX), tmp_path, fake_uv(tmp_path, UNREACHABLE, CPU_RESOLVED))
     kept = {Path(path).stem: text for path, text in locks.texts.items() if "cpu/amd64/3.12" in path}
     assert kept == {name: f"{name}==1\n" for name in ("common", "torch", "tensorflow")}
@@ -360,10 +332,7 @@ def test_locks_stay_that_were_made_where_that_index_answers(tmp_path: Path) -> N
 
 @pytest.mark.parametrize("upgrade", [False, True])
 def test_a_lock_that_is_missing_beside_one_that_stays(tmp_path: Path, upgrade: bool) -> None:
-    folder = tmp_path / "locks/cpu/amd64/3.12"
-    folder.mkdir(parents=True)
-    for name, package in {"common": "numpy", "torch": "torch"}.items():
-        (folder / f"{name}.txt").write_text(f"{package}==1\n")
+    put_locks(tmp_path, common="numpy", torch="torch")
     uv = fake_uv(
         tmp_path, UNREACHABLE.replace("case", 'cp out.txt "$here/seen-out.txt" 2>/dev/null; case', 1), CPU_RESOLVED
     )

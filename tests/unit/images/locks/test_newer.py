@@ -67,18 +67,12 @@ def test_a_release_that_nothing_holds(tmp_path: Path) -> None:
     assert platforms == {"x86_64-manylinux_2_28"}
 
 
-@pytest.mark.parametrize(
-    ("resolve", "held"),
-    [
-        (CUDA_13, "another CUDA: nvidia-cuda-runtime 13.2.86 (the stack says 12.8.90)"),
-        (
-            REFUSES,
-            "tensorflow==2.21.0 depends on nccl>=2.27.7 and torch==2.10.0 depends on nccl==2.27.5, they are incompatible.",
-        ),
-    ],
-)
-def test_what_holds_a_release(tmp_path: Path, resolve: str, held: str) -> None:
-    assert {item.held_by for item in upstream.look(parse(SMALL), uv(tmp_path, resolve), ["cu1"])} == {held}
+def test_what_holds_a_release(tmp_path: Path) -> None:
+    """In one line; another CUDA: test_a_table_for_people_and_for_pull_requests_and_json."""
+    reason = (
+        "tensorflow==2.21.0 depends on nccl>=2.27.7 and torch==2.10.0 depends on nccl==2.27.5, they are incompatible."
+    )
+    assert {item.held_by for item in upstream.look(parse(SMALL), uv(tmp_path, REFUSES), ["cu1"])} == {reason}
 
 
 def test_a_release_of_another_stack(tmp_path: Path) -> None:
@@ -111,29 +105,18 @@ def test_an_answer_that_is_none(tmp_path: Path, text: str) -> None:
         upstream.look(parse(SMALL), failing)
 
 
-def run(tmp_path: Path, *arguments: str) -> int:
-    (tmp_path / "matrix.yaml").write_text(SMALL)
-    return command.run(script.main, arguments=["--matrix", str(tmp_path / "matrix.yaml"), *arguments])
-
-
-@pytest.fixture
-def on_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def test_a_table_for_people_and_for_pull_requests_and_json(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     monkeypatch.setenv("PATH", str(Path(uv(tmp_path, CUDA_13)).parent), prepend=":")
-    return tmp_path
-
-
-def test_a_table_for_people_and_for_pull_requests(on_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    report = on_path / "report.md"
-    assert run(on_path, "--upstream", "--stack", "cu1", "--report", str(report)) == 0
+    (tmp_path / "matrix.yaml").write_text(SMALL)
+    words, report = ["--matrix", str(tmp_path / "matrix.yaml"), "--upstream", "--stack", "cu1"], tmp_path / "report.md"
+    assert command.run(script.main, arguments=[*words, "--report", str(report)]) == 0
     done = capsys.readouterr()
-    assert "cu1, Python 3.12, 3.14" in done.out
-    assert "1 newer release" in done.out
+    assert "cu1, Python 3.12, 3.14" in done.out and "1 newer release" in done.out
     assert "[2 of 2] stack cu1, Python " in done.err, "long work shows progress"
     assert "| torch | 2.10.0 | 2.15.0 | 2026-10-28 | another CUDA: " in report.read_text()
-
-
-def test_json_for_machines(on_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(on_path, "--upstream", "--stack", "cu1", "--json") == 0
+    assert command.run(script.main, arguments=[*words, "--json"]) == 0
     (release,) = json.loads(capsys.readouterr().out)
     assert release == {
         "stack": "cu1",
@@ -145,9 +128,3 @@ def test_json_for_machines(on_path: Path, capsys: pytest.CaptureFixture[str]) ->
         "elsewhere": [],
         "pythons": ["3.12", "3.14"],
     }
-
-
-def test_it_goes_with_nothing_that_writes(on_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run(on_path, "--upstream", "--upgrade") == 2
-    assert "--upstream writes no lock" in capsys.readouterr().err
-    assert run(on_path, "--upstream", "--stack", "cu9") == 2

@@ -41,10 +41,14 @@ def wheel(record: str) -> bytes:
     return file.getvalue()
 
 
-def client(wheels: Mapping[str, bytes], sent: list[int], ranges: bool = True) -> httpx.Client:
-    """An index with a wheel for each Python, which notes how many bytes it sends."""
+def client(
+    wheels: Mapping[str, bytes], sent: list[int], ranges: bool = True, failing: list[Exception] | None = None
+) -> httpx.Client:
+    """An index with a wheel for each Python, which notes how many bytes it sends, once nothing fails any more."""
 
     def answer(request: httpx.Request) -> httpx.Response:
+        if failing:
+            raise failing.pop()
         content = wheels[request.url.path.removeprefix("/").removesuffix(".whl")]
         first, last = map(int, re.findall(r"\d+", request.headers["Range"]))
         piece = content[first : last + 1]
@@ -116,15 +120,7 @@ def test_an_index_that_answers_something_else(content: bytes, ranges: bool, mess
 
 def test_an_index_that_does_not_answer_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
     """A name that is not resolved for a moment must not end hundreds of requests."""
-    content, failing = wheel("a,b,c\n"), [httpx.ConnectError("Temporary failure in name resolution")]
-
-    def answer(request: httpx.Request) -> httpx.Response:
-        if failing:
-            raise failing.pop()
-        first, last = map(int, re.findall(r"\d+", request.headers["Range"]))
-        return httpx.Response(206, stream=httpx.ByteStream(content[first : last + 1]))
-
+    content, failing = wheel("a,b,c\n"), list[Exception]([httpx.ConnectError("no name resolution for a moment")])
     monkeypatch.setattr(web, "WAIT", 0.0)
-    with httpx.Client(transport=httpx.MockTransport(answer)) as index:
+    with client({"3.11": content}, [], failing=failing) as index:
         assert Index(Uv("uv"), index).record(Wheel("http://index/3.11.whl", len(content))) == {"a": "b"}
-    assert not failing

@@ -6,7 +6,6 @@ import pytest
 
 from fakes.locks import PARTS, ROOTS, dealt, pin, request
 from fakes.uv import RESOLVED
-from rosml.images.image_set import lock_file
 from rosml.images.locks import lock, resolve
 from rosml.images.locks.resolve import Pin
 
@@ -33,18 +32,6 @@ def test_a_lock_reads_as_what_it_was_rendered_from() -> None:
     assert resolve.parse(lock.render(request(), "common", pins)) == pins
 
 
-@pytest.mark.parametrize(
-    ("requirement", "name"),
-    [
-        ("tensorflow[and-cuda]==2.20.0", "tensorflow"),
-        ("Torch ; python_version > '3'", "torch"),
-        ("tensorflow_cpu==2.20.0", "tensorflow-cpu"),
-    ],
-)
-def test_package_name(requirement: str, name: str) -> None:
-    assert lock_file.package_name(requirement) == name
-
-
 # ---- Splitting -------------------------------------------------------------------------------------------------------
 
 
@@ -61,43 +48,34 @@ def test_every_package_is_in_its_part() -> None:
     }
 
 
+TF = {"tensorflow": "tensorflow==2"}
+
+
 @pytest.mark.parametrize(
-    ("pins", "roots", "by_part"),
+    ("graph", "roots", "parts"),
     [
-        # On some architectures `tensorflow` only stands for another package. Its library is in two parts.
         (
-            [pin("tensorflow"), pin("tensorflow-cpu-aws", "tensorflow"), pin("keras", "tensorflow")],
-            {"tensorflow": "tensorflow==2"},
-            {
-                "tensorflow": ["keras", "tensorflow", "tensorflow-cpu-aws"],
-                "tensorflow-cc": ["tensorflow", "tensorflow-cpu-aws"],
-            },
+            # On some architectures `tensorflow` only stands for another package. Its library is in two parts.
+            "tensorflow tensorflow-cpu-aws<tensorflow",
+            TF,
+            "tensorflow-cc: tensorflow tensorflow-cpu-aws, tensorflow: tensorflow tensorflow-cpu-aws",
         ),
         (
-            [pin("tensorflow-cpu"), pin("keras", "tensorflow-cpu")],
+            "tensorflow-cpu keras<tensorflow-cpu",
             {"tensorflow": "tensorflow_cpu[x]==2"},
-            {"tensorflow": ["keras", "tensorflow-cpu"], "tensorflow-cc": ["tensorflow-cpu"]},
+            "tensorflow: keras tensorflow-cpu, tensorflow-cc: tensorflow-cpu",
         ),
-        (
-            [pin("torch"), pin("left", "torch"), pin("right", "torch"), pin("bottom", "left", "right")],
-            ROOTS,
-            {"torch": ["bottom", "left", "right", "torch"]},
-        ),
-        (
-            [pin("torch"), pin("left", "torch"), pin("bottom", "left", "tensorflow"), pin("deep", "bottom")],
-            ROOTS,
-            {"torch": ["left", "torch"], "common": ["bottom", "deep"]},
-        ),
-        ([pin("torch", "b"), pin("a", "torch"), pin("b", "a")], ROOTS, {"torch": ["a", "b", "torch"]}),
-        (
-            [pin("torch"), pin("numpy", "torch"), pin("below-numpy", "numpy")],
-            {"torch": "torch==2"},
-            {"common": ["below-numpy", "numpy"], "torch": ["torch"]},
-        ),
+        ("torch left<torch right<torch bottom<left,right", ROOTS, "torch: bottom left right torch"),
+        ("torch left<torch bottom<left,tensorflow deep<bottom", ROOTS, "torch: left torch, common: bottom deep"),
+        ("torch<b a<torch b<a", ROOTS, "torch: a b torch"),
+        ("torch numpy<torch below<numpy", {"torch": "torch==2"}, "common: below numpy, torch: torch"),
     ],
-    ids=["stands for another", "extra and spelling", "diamond", "diamond of two", "cycle", "numpy"],
 )
-def test_which_part_has_a_package(pins: list[Pin], roots: dict[str, str], by_part: dict[str, list[str]]) -> None:
+def test_which_part_has_a_package(graph: str, roots: dict[str, str], parts: str) -> None:
+    """`a<b,c` is a package that b and c need."""
+    edges = [word.partition("<") for word in graph.split()]
+    pins = [pin(name, *filter(None, needed_by.split(","))) for name, _, needed_by in edges]
+    by_part = {name: names.split() for name, _, names in (part.partition(": ") for part in parts.split(", "))}
     assert dealt(pins, roots) == by_part
 
 
@@ -112,7 +90,6 @@ def test_a_name_goes_before_a_pattern_and_any_package_may_be_repeated() -> None:
 
 
 def test_render() -> None:
-    assert lock.render(request(), "torch", []).startswith("# Part 'torch' of stack cu1, Python 3.12, amd64.\n")
     assert lock.render(request(), "cuda", [pin("nvidia-x", "torch")]) == (
         "# Part 'cuda' of stack cu1, Python any, amd64.\n"
         "# Made by 'rosml locks' from matrix.yaml; do not edit.\n"
