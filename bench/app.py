@@ -18,7 +18,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -279,22 +279,9 @@ class Bench:
 
     def _prune(self) -> None:
         """Removes from the builder's cache the layers of this comparison's base images, and all that were built on them."""
-        with suppress(OSError, subprocess.TimeoutExpired):  # the builder forgets them by itself, only later
-            for _ in range(PASSES):
-                for item in descendants(self._buildx("du", "--verbose"), self.run):
-                    self._buildx("prune", "--force", "--all", "--filter", f"id={item}")
-
-    def _buildx(self, *words: str) -> str:
-        done = subprocess.run(
-            [*self.services.buildx, *words, "--builder", self.services.builder],
-            env=self.services.environment(),
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            timeout=second_image.PRUNE_SECONDS,
-            check=False,
-        )
-        return done.stdout
+        for _ in range(PASSES):
+            for item in descendants(local.buildx(self.services, "du", "--verbose"), self.run):
+                local.buildx(self.services, "prune", "--force", "--all", "--filter", f"id={item}")
 
 
 def rows(builds: Mapping[tuple[str, str], Sequence[Pushed]]) -> list[Row]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import subprocess
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -15,6 +16,9 @@ from rosml.machine.services import Services
 from rosml.registry.client import Registry
 
 BASE = "rosml/ros:ros1-bookworm-core"
+
+PRUNE_SECONDS = 600.0
+"""What removing some gigabytes from the builder's cache may take."""
 
 
 def example(services: Services, namespace: str, say: Callable[[str], None]) -> tuple[str, float]:
@@ -33,6 +37,21 @@ def example(services: Services, namespace: str, say: Callable[[str], None]) -> t
     started = time.monotonic()
     built = build.build_images(build.new_call(folder, app_inputs.values(options, folder, {}), {}, services, say))
     return built.images[0].reference, time.monotonic() - started
+
+
+def buildx(services: Services, *words: str) -> str:
+    """What buildx prints about the builder's cache; nothing if it fails: the builder forgets what is left by itself, only later."""
+    with suppress(OSError, subprocess.TimeoutExpired):
+        return subprocess.run(
+            [*services.buildx, *words, "--builder", services.builder],
+            env=services.environment(),
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            timeout=PRUNE_SECONDS,
+            check=False,
+        ).stdout
+    return ""
 
 
 @contextmanager

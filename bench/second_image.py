@@ -12,14 +12,14 @@ from __future__ import annotations
 import json
 import secrets
 import shutil
-import subprocess
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from bench import local
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.terminal import show, table
@@ -45,9 +45,6 @@ WAYS = ("ours", "usual")
 
 ROUNDS = 2
 """Imports of each image, of which the faster counts: the first one reads from the disk."""
-
-PRUNE_SECONDS = 600.0
-"""What removing some gigabytes from the builder's cache may take."""
 
 CHANGE = """\
 FROM ros AS {marker}
@@ -293,17 +290,7 @@ class _Bench:
 
     def _prune(self, words: str) -> None:
         """Removes from the builder's cache what is described with some words: a marker, or where it was pulled from."""
-        services = self.services
-        argv = [*services.buildx, "prune", "--force", "--all", "--filter", f"description~={words}"]
-        with suppress(OSError, subprocess.TimeoutExpired):  # the builder forgets them by itself, only later
-            subprocess.run(
-                [*argv, "--builder", services.builder],
-                env=services.environment(),
-                stdin=subprocess.DEVNULL,
-                capture_output=True,
-                timeout=PRUNE_SECONDS,
-                check=False,
-            )
+        local.buildx(self.services, "prune", "--force", "--all", "--filter", f"description~={words}")
 
 
 def manifest(reference: str) -> Manifest:

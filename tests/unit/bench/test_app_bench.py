@@ -50,13 +50,13 @@ class Stage:
 
 @pytest.fixture
 def stage(tmp_path: Path, registry: str, monkeypatch: pytest.MonkeyPatch) -> Stage:
-    made = Stage(tmp_path, registry)
+    new = Stage(tmp_path, registry)
     rosml = executable(tmp_path / "rosml", ROSML.format(folder=tmp_path))
     monkeypatch.setattr(app, "ROSML", (rosml,))
     monkeypatch.setattr(app, "ROUNDS", 1)
     monkeypatch.setattr(app.Bench, "_stored", lambda bench, side, seconds: Pushed(seconds, {"m": 1}, {"l": 1}))
-    made.bench.measure()
-    return made
+    new.bench.measure()
+    return new
 
 
 def test_all_sides_start_alike_and_are_pushed_alike(stage: Stage) -> None:
@@ -64,8 +64,8 @@ def test_all_sides_start_alike_and_are_pushed_alike(stage: Stage) -> None:
     marks = [fields for _, fields in stage.baked if "rosml-bench" in fields["dockerfile-inline"]]
     assert len({fields["dockerfile-inline"].partition("RUN")[2] for fields in marks}) == len(SIDES)
     assert len({fields["contexts"]["base"] for fields in marks}) == 1
-    own = [f"{stage.bench.services.registry}/bench-app/base@sha256:{number:064d}" for number in (1, 2, 3)]
-    for side, base in zip((ONE, SEVERAL), own, strict=False):
+    bases = [f"{stage.bench.services.registry}/bench-app/base@sha256:{number:064d}" for number in (1, 2, 3)]
+    for side, base in zip((ONE, SEVERAL), bases, strict=False):
         built = [fields for name, fields in stage.baked if name == side.replace(" ", "-")]
         assert len(built) == len(GOALS) and {fields["contexts"]["base"] for fields in built} == {
             f"docker-image://{base}"
@@ -74,7 +74,7 @@ def test_all_sides_start_alike_and_are_pushed_alike(stage: Stage) -> None:
         steps = app_bake_file.steps(stage.bench.services, {}, ["linux/amd64"])
         assert all(fields["secret"] == steps["secret"] for fields in built)
     ours = [call for call in calls(stage.folder) if call.startswith("rosml containerize ")]
-    assert len(ours) == len(GOALS) and all(f"--base-image {own[-1]} " in call for call in ours)
+    assert len(ours) == len(GOALS) and all(f"--base-image {bases[-1]} " in call for call in ours)
     assert all("--target run " in call and call.endswith(" --no-tests") for call in ours)
 
 
@@ -88,13 +88,13 @@ def test_all_sides_see_the_same_change(stage: Stage) -> None:
 
 def builds(seconds: Mapping[str, tuple[float, float, float]]) -> dict[tuple[str, str], list[Pushed]]:
     """Builds in three rounds, of which the median has these seconds. A change makes a layer of 5 bytes, and a manifest of one byte."""
-    made = {}
+    builds_by_side = {}
     for situation, times in seconds.items():
         for side, time in zip(SIDES, times, strict=True):
             layers = {"base": 100, ("new" if situation != COLD else "old"): 5}
             stored = {**layers, f"manifest {situation}": 1}
-            made[situation, side] = [Pushed(time * factor, stored, layers) for factor in (9, 1, 0.5)]
-    return made
+            builds_by_side[situation, side] = [Pushed(time * factor, stored, layers) for factor in (9, 1, 0.5)]
+    return builds_by_side
 
 
 def test_what_counts() -> None:

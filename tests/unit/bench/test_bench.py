@@ -56,7 +56,7 @@ class Stage:
     """A checkout with local replacements."""
 
     def __init__(self, folder: Path, registry: str, image_set: ImageSet) -> None:
-        self.folder, self.image_set, self.said = folder, image_set, list[str]()
+        self.folder, self.image_set, self.lines = folder, image_set, list[str]()
         self.removed: list[str] = []
         for number, seconds in enumerate((4.0, 2.0)):
             self.imports(number, seconds)
@@ -69,7 +69,7 @@ class Stage:
         (self.folder / f"{number}.json").write_text(json.dumps(content))
 
     def compare(self) -> dict[str, Side]:
-        return second_image.compare(self.services, self.image_set, self.image_set.image(TARGET), self.said.append)
+        return second_image.compare(self.services, self.image_set, self.image_set.image(TARGET), self.lines.append)
 
     def calls(self, start: str) -> list[str]:
         return [call for call in calls(self.folder) if call.startswith(start)]
@@ -89,10 +89,10 @@ class Stage:
 @pytest.fixture
 def stage(tmp_path: Path, registry: str, small: ImageSet, monkeypatch: pytest.MonkeyPatch) -> Stage:
     free(monkeypatch, 1_000_000)
-    made = Stage(tmp_path, registry, small)
-    monkeypatch.setattr(Registry, "manifest", lambda *given: made.manifest(*given))
-    monkeypatch.setattr(Registry, "delete", lambda *given: made.delete(*given))
-    return made
+    new = Stage(tmp_path, registry, small)
+    monkeypatch.setattr(Registry, "manifest", lambda *call: new.manifest(*call))
+    monkeypatch.setattr(Registry, "delete", lambda *call: new.delete(*call))
+    return new
 
 
 def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
@@ -103,13 +103,13 @@ def free(monkeypatch: pytest.MonkeyPatch, megabytes: int) -> None:
 
 def test_what_is_counted(stage: Stage, capsys: pytest.CaptureFixture[str]) -> None:
     """Of today's image: the registry had the ROS image of today, somebody's machine only yesterday's image."""
-    found = stage.compare()
-    ours, usual = found["ours"], found["usual"]
+    sides = stage.compare()
+    ours, usual = sides["ours"], sides["usual"]
     assert (ours.new, usual.new) == (CONFIG + MANIFEST, 1_101 + CONFIG + MANIFEST)
     assert (ours.pulled, usual.pulled) == (6, 6 + 1_101)
     assert ours.imported == usual.imported == 2.0, "the faster one"
     assert min(ours.second, ours.first, usual.second, usual.first) > 0
-    second_image.print_table(stage.image_set.image(TARGET), found)
+    second_image.print_table(stage.image_set.image(TARGET), sides)
     assert re.search(r"to pull after a change of ROS +6 B +1\.1 kB", capsys.readouterr().out)
 
 
@@ -193,10 +193,10 @@ def test_joins_of_addons(
     with moving(tmp_path, monkeypatch) as place:
         base = place.base()
         app = place.app(base)
-        made = place.registry.manifest("me/robot", "latest")
-        assert made
+        app_manifest = place.registry.manifest("me/robot", "latest")
+        assert app_manifest
         listed = gzip.compress(b"docker-ros/ws/install/lib/node\n", mtime=0)
-        place.registry.attach("me/robot", made.descriptor, file_lists.ARTIFACT, listed, file_lists.MEDIA_TYPE)
+        place.registry.attach("me/robot", app_manifest.descriptor, file_lists.ARTIFACT, listed, file_lists.MEDIA_TYPE)
         first, second = (stack(place.registry, "rosml/part", ADDONS[name]) for name in ("graph", "devel"))
         before = {*place.server.manifests}
         rows = addons.Bench(place.services, base, app, first, second, place.messages.append).measure()

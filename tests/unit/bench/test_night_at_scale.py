@@ -85,8 +85,8 @@ def test_requests_of_an_app(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> 
     with moving(tmp_path, monkeypatch) as place:
 
         def requests(count: int, version: str) -> list[str]:
-            old = place.base()
-            apps = [App(old, name=f"app-{count}-{number}").put(place.registry, "latest") for number in range(count)]
+            base = place.base()
+            apps = [App(base, name=f"app-{count}-{number}").put(place.registry, "latest") for number in range(count)]
             place.base(base_facts=changed(BASE_FACTS, packages=[package("python3", version)]), files=("usr/bin/new",))
             place.server.requests.clear()
             with Registries() as registries, Rebaser(place.services, registries, place.messages.append) as rebaser:
@@ -201,17 +201,17 @@ def test_the_image_set_is_the_projects() -> None:
 
 
 def test_the_command_keeps_both_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list[Load] = []
+    loads: list[Load] = []
 
     def measure(load: Load, text: str, _say: object) -> tuple[Result, ...]:
-        asked.append(load)
+        loads.append(load)
         nights = [scale.simulate(SMALL, way) for way in (USUAL, MOVED, LOCKS)]
         return tuple(Result(name, text, ("a", "b", "c"), scale.table(nights)) for name in ("scale", "scale-limits"))
 
     monkeypatch.setattr(scale, "measure", measure)
     monkeypatch.setattr(results, "FOLDER", tmp_path)
     assert command.run(cli.main, arguments=["scale", "--disk", "36", "--held", "0.5"]) == 0
-    assert asked == [Load(disk_mb=36_000, held=0.5)]
+    assert loads == [Load(disk_mb=36_000, held=0.5)]
     kept: Mapping[str, Result] = results.load()
     assert kept.keys() == {"scale", "scale-limits"} and "--disk 36" in kept["scale"].command
     assert all(len(row.values) == 3 for row in kept["scale"].rows)
