@@ -22,10 +22,7 @@ NAME, TESTS = "docker-bake.hcl", "docker-bake.tests.hcl"
 
 
 def render(image_set: ImageSet, all_targets: Mapping[str, Target] | None = None) -> dict[str, str]:
-    """Both files by their names: one with images and parts, one with the structure tests of each image.
-
-    Tests have their own file, because buildx's time for a file grows with the square of its targets.
-    """
+    """Both files by name. Structure tests have their own, because buildx's time for a file grows with the square of its targets."""
     every = _Blocks(image_set, all_targets)
     images, tests = every.needed(every.others), every.needed(every.tests)
     head = _HEADER_OF_TESTS.format(target=image_set.matrix.default.group[0])
@@ -36,10 +33,7 @@ def render(image_set: ImageSet, all_targets: Mapping[str, Target] | None = None)
 
 
 def excerpt(image_set: ImageSet, roots: Iterable[str]) -> str:
-    """The part of both files that targets of images, tests or parts need: these, and all that they are built on.
-
-    It looks at no other image, because a run needs hundreds of excerpts.
-    """
+    """The part of both files that some targets need. It looks at no other image, because a run needs hundreds of excerpts."""
     chosen = {targets.CONTENTS, *roots}
     images, parts = set[str](), {root.removeprefix(names.part_target("")) for root in chosen}
     for root in chosen:
@@ -217,10 +211,7 @@ class _Blocks:
             self._family(name, [], [image.target for image in members])
 
     def _family(self, name: str, above: list[str], members: list[str]) -> None:
-        """Adds an abstract target with the fields that its members share, and do not all inherit already.
-
-        It inherits the targets `above`, and its members inherit it instead of these.
-        """
+        """Adds an abstract target with what its members share, and do not all inherit already. It inherits `above`, and they inherit it."""
         if not members:
             return
         common, inherited = (set(fields.items()) for fields in (self._fields[members[0]], self._inherited(members[0])))

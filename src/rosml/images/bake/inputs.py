@@ -117,8 +117,7 @@ class Inputs:
             )
 
     def _gone(self, things: Iterable[Image | Part]) -> list[str]:
-        """Missing files and folders from which targets are built. Locks do not count, as they are made later; nor do patterns, which
-        need not match a file."""
+        """Missing files and folders from which targets are built, without locks, which are made later, and patterns."""
         for item in things:
             self.digests(item)  # this also reads the targets below it
         gone = {name for inputs in self._inputs.values() for name, value in inputs.items() if value == MISSING}
@@ -190,8 +189,7 @@ def _facts(values: Mapping[str, Value], where: str) -> dict[str, str]:
 
 
 def _fact(value: Value, where: str) -> str:
-    """The fact of the image set that decides a value; empty if the value is no input. An undeclared value is an error: it would change
-    an image without a new digest."""
+    """The fact that decides a value; empty if it is no input. An undeclared value would change an image without a new digest."""
     if isinstance(value, str):
         return value
     if isinstance(value, Overridable):

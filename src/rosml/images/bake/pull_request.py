@@ -57,8 +57,7 @@ def choose(image_set: ImageSet, difference: Difference, architectures: Sequence[
 
 
 def _brings(image: Image, difference: Difference) -> tuple[set[object], set[object]]:
-    """The changes that reach an image, and its groups. Changed labels count only if nothing else changed: labels repeat other inputs
-    in each image's own words."""
+    """The changes that reach an image, and its groups. Changed labels count only if nothing else changed: they repeat other inputs."""
     changes = difference.changed.get(image.target, ())
     plain = [change for change in changes if not change.input.startswith("label ")]
     return set(plain or changes), set(image.groups)

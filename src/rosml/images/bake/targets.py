@@ -175,8 +175,7 @@ CHANNEL = ("ROS_CHANNEL", "ROS_SNAPSHOT")
 
 
 def apt_arguments(matrix: Matrix, name: str) -> dict[str, str]:
-    """The facts about the apt repository of a distribution's packages, ROS's own or another; none if they are the operating
-    system's, or wheels."""
+    """The facts about the apt repository of a distribution's packages; none if they are the operating system's, or wheels."""
     if archive := matrix.distributions[name].archive:
         return {
             "ROS_ARCHIVE": archive.address,
@@ -201,8 +200,7 @@ def apt_arguments(matrix: Matrix, name: str) -> dict[str, str]:
 
 
 def tools(matrix: Matrix, image: Image) -> str:
-    """The Debian packages that come with a distribution's lowest component: the developers' tools, unless it only runs built
-    programs; and further RMW implementations."""
+    """The Debian packages of the lowest component: developers' tools, unless it only runs built programs; and more RMW implementations."""
     distribution = matrix.distributions[image.distribution]
     tools = distribution.tools or matrix.operating_systems[distribution.os].tools
     added = [f"ros-{image.ros_distro}-{rmw.replace('_', '-')}" for rmw in distribution.rmw]

@@ -240,13 +240,7 @@ def empty(folder: Path) -> Path:
 def base_targets(
     adopted: Adopted, name: str, common: Mapping[str, Any], nothing: Path, steps: Path
 ) -> dict[str, dict[str, Any]]:
-    """The bake targets that install ROS on an image, each on the one before.
-
-    Args:
-        name: of the last target. The names of the others begin with it.
-        common: settings of all targets, such as platforms, secrets and network.
-        nothing, steps: the folders from `empty` and `stage`.
-    """
+    """The bake targets that install ROS on an image, each on the one before. `common` are settings of all, such as platforms and secrets."""
     image_set = adopted.image_set
     every = targets.of(image_set)
     chain = [adopted.image]

@@ -16,8 +16,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from rosml.base import archives, files, untrusted
+from pydantic import ValidationError
+
+from rosml.base import archives, files
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import adapter
 from rosml.images.builds import base_images
 from rosml.images.matrix.model import OperatingSystem
 from rosml.machine.services import Services
@@ -70,20 +73,15 @@ def sources(services: Services, systems: Mapping[str, OperatingSystem], name: st
     architecture = base_images.native_architecture()
     digest = reference.rpartition(":")[2]
     file = services.state / "apt-sources" / f"{digest}-{architecture}.json"
-    texts = _kept(file)
-    if texts is None:
+    try:
+        texts = _TEXTS.validate_json(file.read_bytes())
+    except (OSError, ValidationError):
         texts = _read(services, reference, architecture)
         _keep(file, texts)
     return parse(texts, reference)
 
 
-def _kept(file: Path) -> Texts | None:
-    try:
-        texts = untrusted.json_value(file.read_bytes())
-    except (OSError, ValueError):
-        return None
-    whole = isinstance(texts, dict) and all(isinstance(text, str) for text in texts.values())
-    return texts if whole else None
+_TEXTS = adapter(Texts)
 
 
 def _keep(file: Path, texts: Texts) -> None:
@@ -182,10 +180,7 @@ def _manifest(registry: Registry, place: references.Reference, architecture: str
 
 
 def read_layer(registry: Registry, place: references.Reference, layer: Descriptor) -> tuple[Texts, set[str]]:
-    """The files of apt sources in a layer, and the paths of those that it deletes from the layers below.
-
-    The digest is checked only at a layer's end: the result decides which archives are asked, and no content of an image.
-    """
+    """The files of apt sources in a layer, and the paths that it deletes below. A layer that is left early is not verified."""
 
     def read(blocks: Iterator[bytes]) -> tuple[Texts, set[str]]:
         try:
@@ -205,10 +200,7 @@ def read_layer(registry: Registry, place: references.Reference, layer: Descripto
 
 
 def _files_in(archive: tarfile.TarFile) -> tuple[tuple[Texts, set[str]], bool]:
-    """The result of `read_layer`, and whether the whole layer was read.
-
-    The reading stops after /etc/apt, if there were sources, and all names so far were sorted.
-    """
+    """The result of `read_layer`, and whether the whole layer was read: it ends after /etc/apt, if names so far were sorted."""
     texts: Texts = {}
     gone: set[str] = set()
     last: tuple[str, ...] = ()

@@ -44,9 +44,7 @@ def native_architecture() -> str:
 def reference(services: Services, systems: Mapping[str, OperatingSystem], name: str, architecture: str = "") -> str:
     """The reference by digest of an operating system's base image, which the builder can pull.
 
-    Args:
-        architecture: `amd64` or `arm64`; the machine's own if empty. For another architecture than its own, the
-            machine's command gives an image that has both, because parts are built on the machine's own.
+    For another architecture than its own, the machine's command gives an image that has both: parts are built on its own.
     """
     if override := _override(name):
         return override

@@ -43,14 +43,7 @@ def attach(
     images: Sequence[tuple[str, str]],  # the repository of each, and the digest of its manifest or index
     say: Callable[[str], None],
 ) -> dict[str, str]:
-    """Attaches a list of files, facts and an SBOM to pushed images, for each of their platforms.
-
-    One call of the builder lists them all. It mounts the images and runs nothing of them, so no emulation is needed. If a manifest
-    has a list of files or facts, it keeps them. The same packages give an SBOM with the same digest.
-
-    Returns:
-        Digests of the SBOMs' artifacts, by digest of the manifest.
-    """
+    """Attaches what one call of the builder lists of images, which it only mounts. Returns the digests of SBOMs, by that of the manifest."""
     listed = [(repository, item) for repository, digest in images for item in manifests(registry, repository, digest)]
     for repository, manifest in listed:
         say(f"list the packages and files of {repository}@{manifest.digest}")

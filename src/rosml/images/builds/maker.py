@@ -93,18 +93,10 @@ class Maker(Protocol):
         """Builds a part from its lock, and pushes it."""
 
     def build_image(self, image: Image, architecture: str, parts: Mapping[str, str], packages: str) -> NewImage:
-        """Builds a ROS image, and pushes it.
-
-        Args:
-            parts: digest of the image below it, by target; none for the first component.
-            packages: the state of the package repositories; empty if the image does not depend on any.
-        """
+        """Builds a ROS image on the one below it, by its digest, and pushes it. `packages` is the state of the package repositories."""
 
     def build_together(self, requests: Sequence[BuildRequest]) -> None:
-        """Builds and describes ROS images and parts that need nothing of each other, all at once.
-
-        `build_part` and `build_image` then return them. If one of them cannot be built, these methods raise the error.
-        """
+        """Builds and describes what needs nothing of each other at once. `build_part` and `build_image` return it, or raise its error."""
 
     def describe(self, thing: Image | Part, digest: str) -> str:
         """Attaches the list of files, the facts and the SBOM to a pushed ROS image or part. Returns the SBOM's digest."""
@@ -223,10 +215,7 @@ class BuildKitMaker:
     def test(
         self, image: Image, architecture: str, digest: str, parts: Mapping[str, str], names: tuple[str, ...]
     ) -> Verdict:
-        """Tests an image in a root file system of the layers in its manifest.
-
-        The builder joins a joined image from the same parts by their digests: so it unpacks each part only once.
-        """
+        """Tests the layers of an image's manifest. The builder joins a joined image from its parts, and so unpacks each part once."""
         self._require_builder(architecture)
         path = self.place.path(image.repository)
         manifest = self.place.client.manifest(path, digest)

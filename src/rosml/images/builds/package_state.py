@@ -45,10 +45,7 @@ class Release:
 
 
 def state(services: Services, matrix: Matrix, distribution: str, environ: Mapping[str, str] = os.environ) -> str:
-    """The date of ROS's repository, a digest of the operating system's lists of packages, or both; empty if there is neither.
-
-    It is the same on all architectures, because an archive and its ports have the same Release files.
-    """
+    """ROS's date, a digest of the system's lists of packages, or both; empty if there is neither. The same on all architectures."""
     source = apt_repository.of(matrix, distribution, environ)
     states = [sync.published(source, environ) if source else "", _archives(services, matrix, distribution, environ)]
     return SEPARATOR.join(filter(None, states))
@@ -83,8 +80,7 @@ def _sources(services: Services, matrix: Matrix, distribution: str) -> tuple[Sou
 
 
 def repositories(services: Services, matrix: Matrix, distribution: str, state: str) -> list[tuple[str, str]]:
-    """The addresses of the repositories in a state, with the state of each. The operating system's archives share one
-    state. They are left out if the apt sources of the base image cannot be read any more."""
+    """Addresses of repositories, each with its state. The system's archives share one. Without readable apt sources, they are left out."""
     source, ros = apt_repository.of(matrix, distribution), ros_date(state)
     states = {source.address: ros} if source and ros else {}
     if archives := state.removeprefix(ros).removeprefix(SEPARATOR):

@@ -45,15 +45,7 @@ def _pushed(call: buildx.Bake, metadata: Mapping[str, str]) -> str:
 
 
 def push_together(services: Services, calls: Sequence[buildx.Bake], file: Path, name: str) -> dict[str, str]:
-    """Builds and pushes several targets in one call, so that their downloads, installations and uploads overlap.
-
-    Args:
-        calls: of `pushing`. Variables of one name have one value.
-        file: the bake file of all of them.
-
-    Returns:
-        The digests by target.
-    """
+    """Makes several calls of `pushing` in one, so that downloads, installations and uploads overlap. Returns the digests by target."""
     first, *others = calls
     sets = [item for call in calls for item in call.sets]
     variables = {key: value for call in calls for key, value in call.variables.items()}

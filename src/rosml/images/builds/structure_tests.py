@@ -103,10 +103,7 @@ def metadata_test(image: Image) -> dict[str, Any]:
 
 
 def flat_config(config: Mapping[str, Any]) -> dict[str, Any]:
-    """The part of an OCI config that is tested, for container-structure-test's host driver.
-
-    A label that changes with every commit would make the builder run the same tests again.
-    """
+    """The tested part of a config. A label that changes with every commit would make the builder run the same tests again."""
     inner = config.get("config", {})
     image_labels = inner.get("Labels") or {}
     return {
@@ -140,19 +137,7 @@ class Subject:
 def run(
     services: Services, subject: Subject, bake_file: Path, variables: Mapping[str, str], files: tuple[str, ...]
 ) -> tuple[Report, Path]:
-    """Runs the structure tests of an image.
-
-    Args:
-        bake_file: has the image's test target.
-        variables: of the bake file.
-        files: names of the tests' files.
-
-    Returns:
-        The report, and the folder with the report of each file.
-
-    Raises:
-        RosmlError: the tests could not run or left no report, or the disk got full.
-    """
+    """Runs structure tests by the names of their files. Returns the report, and the folder with the report of each file."""
     image, name = subject.image, subject.image.test_target
     native = subject.architecture == base_images.native_architecture()
     folder = services.state / "tests" / (image.target if native else f"{image.target}-{subject.architecture}")

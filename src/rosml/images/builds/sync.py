@@ -12,8 +12,11 @@ from datetime import UTC
 from email.utils import parsedate_to_datetime
 from pathlib import Path
 
-from rosml.base import archives, files, untrusted
+from pydantic import ValidationError
+
+from rosml.base import archives, files
 from rosml.base.errors import RosmlError
+from rosml.base.shapes import adapter
 from rosml.images.builds import release_file
 from rosml.images.image_set.apt_repository import AptRepository
 
@@ -52,11 +55,7 @@ def date_of(text: str, url: str) -> str:
 
 
 def lacking(state: Path, source: AptRepository, architecture: str, packages: Iterable[str]) -> list[str]:
-    """The packages that a repository lacks for an architecture. Without this check, a build would fail an hour later.
-
-    The Release file names the list of packages by its digest, and this machine keeps the list under the digest. If the
-    repository has no list in gzip, the result is empty.
-    """
+    """The packages that a repository lacks, by its list in gzip; none if it has no such list. A build would fail an hour later."""
     suite = _suite(source, os.environ)
     release = release_file.read(f"{suite}/InRelease", RELEASE_BYTES, MIRROR)
     present: set[str] = set()
@@ -113,7 +112,9 @@ def remembered(state: Path, source: AptRepository) -> str:
 
 def _saved_dates(state: Path) -> dict[str, str]:
     try:
-        dates = untrusted.json_value((state / "ros-sync.json").read_bytes())
-    except (OSError, ValueError):
+        return _DATES.validate_json((state / "ros-sync.json").read_bytes())
+    except (OSError, ValidationError):
         return {}
-    return {str(key): str(value) for key, value in dates.items()} if isinstance(dates, dict) else {}
+
+
+_DATES = adapter(dict[str, str])

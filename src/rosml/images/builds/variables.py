@@ -44,11 +44,7 @@ def sync_dates(
 def sync_date(
     services: Services, image_set: ImageSet, distribution: str, say: Callable[[str], None], date: str = ""
 ) -> str | None:
-    """When ROS published the apt repository of a distribution. With a new date, the build installs the packages again.
-
-    Returns:
-        The date, or that of the repository; empty if it is unknown; None if the packages come from elsewhere.
-    """
+    """When ROS published a distribution's apt repository; empty if that is unknown, and None if the packages come from elsewhere."""
     source = apt_repository.of(image_set.matrix, distribution)
     if source is None:
         return None

@@ -86,18 +86,14 @@ class Import(_Model):
 
 
 class Facts(_Model):
-    """The facts of an image.
+    """The facts of an image. Those of an app are about its layer alone."""
 
-    Attributes:
-        libraries: of a base image or a part, libraries that export something; of an app all programs and libraries in its layer.
-        files: of an app, the files in its layer that belong to none of its packages, without a slash at the beginning.
-        imports: of an app, what its Python imports of its base image; None of an app that was built before facts had it.
-    """
-
-    packages: list[Package]  # of a base image all packages; of an app those in its layer
-    libraries: list[Library]
-    files: list[Text] = []
-    imports: list[Import] | None = None
+    packages: list[Package]
+    libraries: list[Library]  # of a base image or a part, libraries that export something; of an app also programs
+    files: list[Text] = []  # of an app, those of none of its packages, without a slash at the beginning
+    imports: list[Import] | None = (
+        None  # of an app, by its Python, of its base image; None if an older version built it
+    )
     asks: list[Text] = []  # of an app, packages of apt that it asks for by name and that its base image has
     asks_pip: list[Text] = []  # the same of pip, by their normalized names
 
@@ -128,8 +124,7 @@ def together(images: Iterable[Facts]) -> Facts:
 
 
 def exports(library: Library, symbol: str) -> bool:
-    """Whether a library exports a symbol: `name`, or `name@VERSION`. Of symbols that a library lacks, one in 17 million for each
-    symbol that it has counts as there."""
+    """Whether a library exports `name`, or `name@VERSION`. For each of its symbols, one in 17 million others counts as there, too."""
     group = hashed(symbol)
     place = library.symbols.find(group)
     while place % 4 and place > 0:  # between two others
@@ -167,17 +162,7 @@ def of(registry: Registry, repository: str, digest: str) -> Facts | None:
 def components(
     registry: Registry, repository: str, digest: str, annotations: Mapping[str, str], near: Iterable[str] = ()
 ) -> list[tuple[str, str]]:
-    """Repositories and digests of the ROS image and the parts that an image was joined from; of a ROS image its own.
-
-    Empty if the annotations do not name those whose layers the image has, or nobody knows where they are.
-
-    Args:
-        repository: of the image.
-        digest: of its manifest.
-        annotations: of its entry in its index. Those of a publishing run name the SBOM of each part, which is attached to the part;
-            that of `rosml join` has the digest of each part.
-        near: further repositories in which parts may be.
-    """
+    """Repositories and digests of the ROS image and parts that an image was joined from, by annotations in its index; empty if unknown."""
     sboms = [text for name, text in sorted(annotations.items()) if name.startswith(COVERED)]
     digests = annotations.get(JOINED, "").split()
     if not (sboms or digests) or max(len(sboms), len(digests)) > COMPONENTS:
@@ -214,10 +199,7 @@ def _described(registry: Registry, prefix: str, text: str) -> tuple[str, Manifes
 
 
 def of_member(registry: Registry, repository: str, digest: str, annotations: Mapping[str, str]) -> Facts | None:
-    """The facts that are attached to a base image, or those of its ROS image and parts together.
-
-    None if one of these has none: it would look like an image that lacks what the part has.
-    """
+    """The facts of a base image, or of its ROS image and parts together; None if one has none: it would look like an image without it."""
     if direct := of(registry, repository, digest):
         return direct
     places = components(registry, repository, digest, annotations)

@@ -68,13 +68,7 @@ class Joiner:
         self._transfer.close(failed)
 
     def join(self, ros: str, parts: Sequence[str], target: str, platforms: Sequence[str] = ()) -> JoinReport:
-        """Joins an image for every platform that a ROS image and parts have in common, and tags it.
-
-        Args:
-            ros, parts: complete references of indexes or manifests.
-            target: complete reference with the tag to move.
-            platforms: only these, such as `linux/arm64`; all common ones if empty.
-        """
+        """Joins an image for every platform that all have in common, or some of these, and moves the tag `target` to it."""
         started = time.monotonic()
         place = references.parse(target)
         if references.is_digest(place.reference):
@@ -156,10 +150,7 @@ class Joiner:
         return unlisted
 
     def _files(self, source: Source, beside: Sequence[Source]) -> Files | None:
-        """The files of an image: by its own list, or by those of the images that it was joined from.
-
-        Their lists may be in the repositories `beside` it, those of the present join.
-        """
+        """The files of an image, by its own list or those of what it was joined from, which may lie beside the images of this join."""
         registry = self._transfer.registries(source.host)
         if files := self._lists.of(registry, source.repository, source.digest):
             return files

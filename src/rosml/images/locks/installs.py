@@ -106,10 +106,7 @@ def words(environment: Environment) -> str:
 
 
 def constraints(image_set: ImageSet, root: Path, environment: Environment, index: Index) -> list[str]:
-    """The constraints of pip and uv in an environment, as in images: from locks, by the scripts that build images.
-
-    Packages in an image need no index. For wheels from another index, this takes only the version.
-    """
+    """The constraints of pip and uv in an environment, from locks, by the scripts that build images; without local versions."""
     system = image_set.matrix.operating_systems[_system(image_set, environment)]
     script = [str(root / "components/base/constraints.sh")]
     variables = {"NUMPY": system.numpy, "SETUPTOOLS": system.provides["setuptools"]}

@@ -113,15 +113,10 @@ def lock(
     say: Callable[[str], None] = lambda line: None,
     stacks: Collection[str] = (),
 ) -> Locks:
-    """Resolves everything; writes nothing.
+    """Resolves everything; writes nothing. Unless `upgrade`, the versions of earlier locks in `root` stay if they fit.
 
     If PyTorch's own index does not answer, wheels that only that index has are left out. Their locks from an earlier call stay. If the
     rest of the stack has all its locks, these stay as well; otherwise it is locked without those wheels.
-
-    Args:
-        root: the project's root, which has the earlier locks.
-        upgrade: take the newest versions that fit; otherwise an earlier lock's versions stay if they fit.
-        stacks: only these stacks; all if empty.
     """
     chosen = [request for request in requests(image_set) if not stacks or request.stack in stacks]
     run = Uv(uv)

@@ -26,12 +26,7 @@ class Pin:
 
 
 def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") -> list[Pin]:
-    """Resolves a request with `uv pip compile`.
-
-    Args:
-        upgrade: take the newest versions that fit; otherwise keep those of `previous` if they still fit.
-        previous: the requirements of an earlier lock.
-    """
+    """Resolves a request with `uv pip compile`. Without `upgrade`, the versions of `previous` stay if they still fit."""
     inputs = _inputs(request)
     earlier = {"out.txt": previous} if previous and not upgrade else {}
     status, text, errors = uv.compile(_command(request, inputs), inputs | earlier)

@@ -45,12 +45,7 @@ class Difference:
 def differences(
     image_set: ImageSet, root: Path, index: Index, texts: Mapping[str, str], stacks: Collection[str] = ()
 ) -> list[Difference]:
-    """Compares the wheels of every part for every Python. It reads less than 1 MB of a wheel.
-
-    Args:
-        root: the project's root, whose `components/` say what parts have of their wheels.
-        stacks: only these stacks; all if empty.
-    """
+    """Compares the wheels of every part for every Python, by less than 1 MB of each. `root` has the files that say what parts take."""
 
     def compare(lock: tuple[Part, str]) -> list[Difference]:
         part, architecture = lock
@@ -101,8 +96,7 @@ def _pythons(image_set: ImageSet, part: Part, architecture: str) -> set[str]:
 
 
 class _Files:
-    """The files of wheels that a part has, by its keep.txt and prune.txt as `components/part/records.py` reads them, without those that
-    say which wheel it is. What differs on purpose is in its differs.txt."""
+    """The files of wheels that a part has, by its keep.txt and prune.txt as `components/part/records.py` reads them, and differs.txt."""
 
     def __init__(self, folder: Path) -> None:
         self._keep = _patterns(folder / "keep.txt")

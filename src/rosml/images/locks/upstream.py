@@ -40,11 +40,7 @@ def look(
     stacks: Collection[str] = (),
     say: Callable[[str], None] = lambda line: None,
 ) -> list[Newer]:
-    """All newer releases than those of the matrix, by stack and package.
-
-    For each stack and Python it checks one architecture, the first whose wheels are all on the default index. Without `stacks`, it
-    checks all.
-    """
+    """All newer releases. For each stack and Python it checks one architecture, the first whose wheels are all on the default index."""
     chosen: dict[tuple[str, str, tuple[str, ...]], Request] = {}
     for item in requests(image_set):
         if not item.ros and not item.elsewhere and (not stacks or item.stack in stacks):
@@ -104,8 +100,7 @@ def _day(package: pylock.Package) -> str:
 
 
 def _with(image_set: ImageSet, request: Request, family: str, requirement: str, version: str) -> Request:
-    """A request with another version of a package. A release goes without its companion packages, which have to follow it. The facts of
-    that release in the matrix count."""
+    """A request with another version of a package. A release goes without its companions, which follow it, but with its own facts."""
     newer = f"{requirement.partition('==')[0]}=={version}"
     if requirement == request.roots[family]:
         release = image_set.matrix.releases[family].get(version)

@@ -71,12 +71,7 @@ class Uv:
     def for_each(
         self, items: Iterable[Item], work: Callable[[Item], Result], title: str, report: Callable[[int, Result], object]
     ) -> list[Result]:
-        """The results of work that calls uv, in the order of the items. An error, also Ctrl-C, ends all calls at once.
-
-        Args:
-            title: names the work on a terminal.
-            report: gets the number of finished items and a result, as soon as there is one.
-        """
+        """The results of work that calls uv, in the order of the items. An error, also Ctrl-C, ends all calls at once."""
         with ThreadPoolExecutor(WORKERS) as pool:
             futures = [pool.submit(work, item) for item in items]
             try:

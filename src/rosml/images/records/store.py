@@ -78,8 +78,7 @@ class Entry:
         return tag(self.target, self.architecture)
 
     def with_digest(self, digest: str, **facts: Any) -> Entry:
-        """The entry after a build, join or index. If the digest is the same as before, the earlier facts about it
-        stay."""
+        """The entry after a build, join or index. With the same digest as before, the earlier facts about it stay."""
         if digest == self.digest:
             return replace(self, failed={}, **facts)
         earlier = (*self.superseded, *((self.digest,) if self.digest else ()))
@@ -134,8 +133,7 @@ class Records:
         return entry if entry and (entry.target, entry.architecture) == (target, architecture) else None
 
     def read_all(self, keys: Iterable[tuple[str, str]]) -> dict[tuple[str, str], Entry]:
-        """Entries by target and architecture, without those that are missing. Many are looked for in the list of tags first: one
-        request for a thousand of them, instead of one for each that is missing."""
+        """Entries by target and architecture. If many are asked for, a list of tags says first which are missing."""
         keys = list(keys)
         if len(keys) > FEW:
             tags = {*self.registry.tags(self.repository)}
@@ -156,8 +154,7 @@ class Records:
             return {}
 
     def write(self, entry: Entry, inputs: Mapping[str, str] | None = None) -> str:
-        """Writes an entry in place of the earlier one, whose inputs stay if there are no new ones. Returns the digest of
-        its manifest."""
+        """Writes an entry in place of the earlier one, whose inputs stay if there are no new ones. Returns its manifest's digest."""
         if inputs is None:
             inputs = self.inputs(entry.target, entry.architecture)
         text = json.dumps(entry.to_json(), sort_keys=True)
@@ -165,8 +162,7 @@ class Records:
         return self.artifact(entry.tag, data, {ANNOTATION: text})
 
     def attach(self, entry: Entry, inputs: Mapping[str, str]) -> None:
-        """Attaches an entry to its image, so that it stays when a newer entry replaces it. Attaching the same entry
-        again changes nothing."""
+        """Attaches an entry to its image, so that it stays when a newer one replaces it. The same entry again changes nothing."""
         path = self.place.path(entry.repository)
         subject = self.registry.manifest(path, entry.digest)
         if subject is None:
@@ -190,10 +186,7 @@ class Records:
         return max(entries, key=lambda entry: entry.changed, default=None)
 
     def artifact(self, name: str, data: bytes, annotations: Mapping[str, str]) -> str:
-        """Puts an artifact with one layer of JSON under a tag of the records. Returns the digest of its manifest.
-
-        The earlier artifact of the tag is removed, if the registry can do that. The registry itself collects its blobs.
-        """
+        """Puts an artifact of JSON under a tag, and removes the tag's earlier one, if the registry can do that. Returns its digest."""
         before = self.registry.head(self.repository, name)
         digest = self.registry.put_artifact(self.repository, name, ARTIFACT, data, LAYER, annotations)
         if before not in ("", digest):
@@ -204,6 +197,5 @@ class Records:
 
 
 def date_of(manifest: Manifest | None) -> str:
-    """The date of the run that made an index, from its annotation; empty if it has none. Anybody may write anything
-    there."""
+    """The date of the run that made an index; empty if its annotation is missing. Anybody may write anything there."""
     return manifest.annotations.get(DATE, "") if manifest else ""

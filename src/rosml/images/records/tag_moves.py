@@ -64,8 +64,7 @@ def undone_moves(records: Records, runs: int) -> list[Move]:
 
 
 def later_moves(records: Records, name: str) -> dict[tuple[str, str, str], str]:
-    """Where runs after a record moved tags, by repository, tag and digest, each with the date of the last of these runs. Runs that
-    somebody undid do not count."""
+    """Where later runs moved tags, by repository, tag and digest, with the date of the last. Runs that somebody undid do not count."""
     later = [_read(records, record) for record in _names(records) if record > name]
     return {(move.repository, move.tag, move.new): run.date for run in later if not run.undone for move in run.moves}
 
