@@ -110,11 +110,8 @@ class Shelf:
             system, apt = packages.System(name="", version=""), {}
         else:
             wheels, system = {}, packages.System(name="debian", version="12.15")
-            apt = {
-                "bash": "5.2",
-                f"ros-{thing.component}": f"1.{self.ros}",
-                **({"tzdata": "1"} if self.ros == "1" else {}),
-            }
+            apt = {"bash": "5.2", f"ros-{thing.component}": f"1.{self.ros}"}
+            apt |= {"tzdata": "1"} if self.ros == "1" else {}
         content = packages.Packages(
             system=system,
             apt=[
@@ -142,15 +139,11 @@ class Shelf:
             parts = [self.image_set.part_by_name[name] for name in thing.parts]
             below = self._layers(self.image_set.by_target[thing.parent], architecture)
             return [*below, *(layer for part in parts for layer in self._layers(part, architecture))]
-        parent = self.image_set.by_target.get(thing.parent)
-        below = (
-            self._layers(parent, architecture)
-            if parent
-            else [
-                (layer_digest(f"{thing.os} {architecture} {number}"), size)
-                for number, size in enumerate((48_000_000, 1_200_000))
-            ]
-        )
+        if parent := self.image_set.by_target.get(thing.parent):
+            below = self._layers(parent, architecture)
+        else:
+            sizes = enumerate((48_000_000, 1_200_000))
+            below = [(layer_digest(f"{thing.os} {architecture} {number}"), size) for number, size in sizes]
         size = self.image_set.matrix.disk.components[thing.component].compressed * 1_000_000 + 10_000 * int(self.ros)
         return [*below, (layer_digest(f"{thing.target} {architecture} {self.ros}"), size)]
 
@@ -192,22 +185,19 @@ class Shelf:
             "numpy": f"1.26.{3 + int(self.torch)}" if thing.stack else "1.24.2",
             **thing.versions,
         }
-        unpacked = sum(
-            part.disk.unpacked for part in (self.image_set.part_by_name[name] for name in thing.parts)
-        ) + self._ros_unpacked(thing)
+        ros = self.image_set.by_target[thing.parent] if thing.stack else thing
+        disks = [ros.disk, *(self.image_set.part_by_name[name].disk for name in thing.parts)]
         findings = {"high": 2, "medium": 27} if thing.stack else {"medium": 3}
         scan = {"updated": "2026-11-22T00:10:00Z", "packages": 525, "findings": findings, "failing": []}
         scan["named"] = self._vulnerabilities(thing, findings)
-        return Entry(
-            **{
-                **vars(facts),
-                "unpacked": unpacked * 1_000_000,
-                "tested": "t",
-                "passed": 20 + len(thing.tests),
-                "versions": versions,
-                "scanned": "clean",
-                "scan": scan,
-            }
+        return replace(
+            facts,
+            unpacked=sum(disk.unpacked for disk in disks) * 1_000_000,
+            tested="t",
+            passed=20 + len(thing.tests),
+            versions=versions,
+            scanned="clean",
+            scan=scan,
         )
 
     def _vulnerabilities(self, image: sets.Image, findings: Mapping[str, int]) -> list[dict[str, Any]]:
@@ -217,15 +207,10 @@ class Shelf:
             Finding(f"CVE-2026-{1000 + number}", severity, "libexample1", "1:1.0-1+deb12u1", "", image.parent or "")
             for number, severity in enumerate(severities)
         ]
-        vulnerabilities[0] = replace(
-            vulnerabilities[0], fixed="1:1.0-1+deb12u2", ignored="it is compiled out", until="2027-03-31"
-        )
+        facts = {"fixed": "1:1.0-1+deb12u2", "ignored": "it is compiled out", "until": "2027-03-31"}
+        vulnerabilities[0] = replace(vulnerabilities[0], **facts)
         vulnerabilities[1] = replace(vulnerabilities[1], fixed="1:1.1~rc1")
         return Scanned(image.target, "amd64", Outcome.CLEAN, "", tuple(vulnerabilities)).recorded
-
-    def _ros_unpacked(self, image: sets.Image) -> int:
-        ros = self.image_set.by_target[image.parent] if image.stack else image
-        return ros.disk.unpacked
 
 
 def shown(image_set: ImageSet) -> Shelf:
