@@ -143,6 +143,14 @@ def test_a_failed_test(stage: Stage) -> None:
     assert verdict.output in text and f"{stage.folder}/.state/tests/{TARGET}/report" in text
 
 
+def test_an_image_that_is_gone_or_has_other_layers_than_its_parts(stage: Stage) -> None:
+    for digest, words in (("sha256:other", "is not in the registry any more"), (MANIFEST, "does not consist of")):
+        image = stage.image_set.image("alpha-base-torch-cu1")
+        with pytest.raises(RosmlError, match=words):
+            stage.maker.test(image, "amd64", digest, dict.fromkeys((image.parent, "part-cuda-cu1"), MANIFEST), ())
+    assert not stage.bakes()
+
+
 @pytest.mark.parametrize(
     ("budget", "budgeted", "failures"),
     [(4, slice(None), 1), (5, slice(None), 0), (1, slice(1, 2), 1), (2, slice(1, 2), 0)],
