@@ -30,7 +30,7 @@ def checkout(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setattr(script, "ROOT", tmp_path)
     monkeypatch.setattr(signal, "signal", lambda *_: None)  # a test run keeps its own
     monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
-    monkeypatch.setenv("ROSML_DOCKER_HUB", "0")  # nobody is asked for base images: tests/unit/images/locks/test_base_digests.py
+    monkeypatch.setenv("ROSML_DOCKER_HUB", "0")  # nobody is asked for base images: test_base_digests.py
     fake_uv(tmp_path)
     (tmp_path / "matrix.yaml").write_text(SMALL)
     return tmp_path

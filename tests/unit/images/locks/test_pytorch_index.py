@@ -116,10 +116,10 @@ def index(tmp_path: Path) -> Iterator[Index]:
     """The local replacement with PyTorch for the CPU and numpy."""
     folder = tmp_path / "index"
     folder.mkdir()
-    stand_in = Index(folder, {"torch": wheel("torch", "2.10.0+cpu"), "numpy": wheel("numpy", "1.26.4")})
-    stand_in.openssl("req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", "ca.key", "-out", "ca.pem", "-days", "2", "-subj", "/CN=test CA")  # fmt: skip
+    replacement = Index(folder, {"torch": wheel("torch", "2.10.0+cpu"), "numpy": wheel("numpy", "1.26.4")})
+    replacement.openssl("req", "-x509", "-newkey", "rsa:2048", "-nodes", "-keyout", "ca.key", "-out", "ca.pem", "-days", "2", "-subj", "/CN=test CA")  # fmt: skip
     with socket.create_server(("127.0.0.1", 0)) as server:
-        stand_in.port = server.getsockname()[1]
+        replacement.port = server.getsockname()[1]
 
         def accept() -> None:
             while True:
@@ -127,10 +127,10 @@ def index(tmp_path: Path) -> Iterator[Index]:
                     client, _ = server.accept()
                 except OSError:
                     return
-                threading.Thread(target=stand_in.serve, args=(client,), daemon=True).start()
+                threading.Thread(target=replacement.serve, args=(client,), daemon=True).start()
 
         threading.Thread(target=accept, daemon=True).start()
-        yield stand_in
+        yield replacement
         server.shutdown(socket.SHUT_RDWR)
 
 
