@@ -8,14 +8,20 @@ from collections.abc import Mapping
 from pathlib import Path
 
 LINK, HARD_LINK, PIPE, DEVICE = tarfile.SYMTYPE, tarfile.LNKTYPE, tarfile.FIFOTYPE, tarfile.CHRTYPE
+FOLDER = (tarfile.DIRTYPE, "")
 
 Content = str | bytes | tuple[bytes, str]
 """Of a file; or the kind of something else, and where it leads."""
 
 
 def write(archive: Path, entries: Mapping[str, Content]) -> None:
-    """Writes an archive."""
-    with tarfile.open(archive, "w") as tar:
+    archive.write_bytes(packed(entries))
+
+
+def packed(entries: Mapping[str, Content]) -> bytes:
+    """An archive of entries in their order."""
+    stream = io.BytesIO()
+    with tarfile.open(fileobj=stream, mode="w") as tar:
         for name, content in entries.items():
             entry = tarfile.TarInfo(name)
             if isinstance(content, tuple):
@@ -25,3 +31,4 @@ def write(archive: Path, entries: Mapping[str, Content]) -> None:
             data = content.encode() if isinstance(content, str) else content
             entry.size = len(data)
             tar.addfile(entry, io.BytesIO(data))
+    return stream.getvalue()

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import gzip
-import io
 import json
 import os
-import tarfile
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -15,6 +13,7 @@ from typing import Any, TypeVar
 import pytest
 from conftest import smaller
 
+from fakes import archives
 from fakes.http_registry import LocalRegistry
 from fakes.memory_registry import DAY, PREFIX, MemoryRegistry
 from rosml.base.archives import zstd
@@ -30,7 +29,7 @@ from rosml.registry.client import Registry
 from rosml.registry.place import Place
 
 T = TypeVar("T")
-Entry = str | tuple[str, str | bytes]
+Entry = str | tuple[str, archives.Content]
 
 LIST, PARTS = "etc/apt/sources.list", "etc/apt/sources.list.d"
 TAR = "application/vnd.oci.image.layer.v1.tar"
@@ -130,23 +129,9 @@ def received(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     return counts
 
 
-def tar(*entries: Entry, link: str = "") -> bytes:
+def tar(*entries: Entry) -> bytes:
     """A layer of files with a text, in that order; without one it is a folder."""
-    stream = io.BytesIO()
-    with tarfile.open(fileobj=stream, mode="w") as archive:
-        for entry in entries:
-            name, text = entry if isinstance(entry, tuple) else (entry, None)
-            info = tarfile.TarInfo(name)
-            if text is None:
-                info.type = tarfile.DIRTYPE
-            content = text.encode() if isinstance(text, str) else text or b""
-            info.size = len(content)
-            archive.addfile(info, io.BytesIO(content))
-        if link:
-            info = tarfile.TarInfo(link)
-            info.type, info.linkname = tarfile.SYMTYPE, "/elsewhere"
-            archive.addfile(info)
-    return stream.getvalue()
+    return archives.packed(dict((entry, archives.FOLDER) if isinstance(entry, str) else entry for entry in entries))
 
 
 def packed(*entries: Entry) -> bytes:
@@ -178,9 +163,7 @@ def read(services: Services, hub: LocalRegistry, *layers: bytes, media_type: str
     return sources(services, hub.address, image(hub, *layers, media_type=media_type))
 
 
-def test_an_official_image_is_left_past_its_sources(
-    services: Services, server: LocalRegistry, received: list[int]
-) -> None:
+def test_an_official_image_is_left_past_its_sources(services: Services, server: LocalRegistry, received: list[int]) -> None:
     files = (f"./{LIST}", "# moved to …/ubuntu.sources\n"), (f"./{PARTS}/ubuntu.sources", NOBLE)
     layer = packed("./", ("./bin", ""), "./etc/", "./etc/apt/", *files, ("./usr/x", os.urandom(8 << 20)))
     parsed = [(source.suite, source.components) for source in read(services, server, layer)]
@@ -229,9 +212,7 @@ BELOW = packed(
         ([(f"{PARTS}/a.list.save", "deb http://c.test c c\n"), (f"{PARTS}/.b.list", "x"), ("x/etc/apt/sources.list", "x")], "one a b"),
     ],
 )  # fmt: skip
-def test_a_layer_changes_what_is_below(
-    services: Services, server: LocalRegistry, layer: list[Entry], suites: str
-) -> None:
+def test_a_layer_changes_what_is_below(services: Services, server: LocalRegistry, layer: list[Entry], suites: str) -> None:
     top = packed(("bin/x", ""), *layer, ("usr/x", ""))
     assert " ".join(source.suite for source in read(services, server, BELOW, top)) == suites
 
@@ -249,7 +230,7 @@ THREE = tar("usr/", "usr/a", "usr/b")
         (b"no gzip", GZIP, "truncated header"),
         (packed("usr/", ("usr/x", os.urandom(4096)))[:2000], GZIP, "it ends too early"),
         (tar((LIST, b"#" * (apt_sources.SOURCE_BYTES + 1))), TAR, "its apt sources have more than 1 MiB"),
-        (tar(link=LIST), TAR, "sources.list is no file"),
+        (tar((LIST, (archives.LINK, "/elsewhere"))), TAR, "sources.list is no file"),
         (REST, "application/vnd.oci.image.layer.v1.tar+gzip+encrypted", "is no known type of layer"),
     ],
 )
