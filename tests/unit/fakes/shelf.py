@@ -207,9 +207,9 @@ class Shelf:
             Finding(f"CVE-2026-{1000 + number}", severity, "libexample1", "1:1.0-1+deb12u1", "", image.parent or "")
             for number, severity in enumerate(severities)
         ]
-        facts = {"fixed": "1:1.0-1+deb12u2", "ignored": "it is compiled out", "until": "2027-03-31"}
-        vulnerabilities[0] = replace(vulnerabilities[0], **facts)
-        vulnerabilities[1] = replace(vulnerabilities[1], fixed="1:1.1~rc1")
+        first, second, *others = vulnerabilities
+        first = replace(first, fixed="1:1.0-1+deb12u2", ignored="it is compiled out", until="2027-03-31")
+        vulnerabilities = [first, replace(second, fixed="1:1.1~rc1"), *others]
         return Scanned(image.target, "amd64", Outcome.CLEAN, "", tuple(vulnerabilities)).recorded
 
 

@@ -29,7 +29,7 @@ def attach(stand_in: StandIn, folder: Path, image_set: ImageSet, monkeypatch: py
 
     def run_all(_services: object, call: buildx.Bake) -> None:
         calls.append(call)
-        listing = {contents.PACKAGES: PACKAGES, contents.FILES: gzip.compress(files), contents.FACTS: b"facts"}
+        listing = {contents.PACKAGES: PACKAGES.encode(), contents.FILES: gzip.compress(files), contents.FACTS: b"facts"}
         for output in (word.partition("dest=")[2] for word in call.sets if ".output=" in word):
             archives.write(Path(output), listing)
 
