@@ -12,7 +12,7 @@ import json
 import sys
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
@@ -666,13 +666,13 @@ def wheel_of(document: bytes, folder: Path) -> object:
 
 
 def pylock_of(document: bytes, folder: Path) -> object:
-    def uv(_: list[str], place: Path) -> tuple[int, str]:
-        (place / "pylock.toml").write_bytes(document)
-        return 0, ""
+    class OneAnswer(Uv):
+        def __call__(self, arguments: Sequence[str], folder: Path) -> tuple[int, str]:
+            (folder / "pylock.toml").write_bytes(document)
+            return 0, ""
 
-    run: Any = uv
     nothing = httpx.Client(transport=httpx.MockTransport(lambda _: reply(404)))
-    return index.Index(run, nothing).wheels(index.WheelTarget("3.12", "x86_64-manylinux_2_28"), {"a": "1"})
+    return index.Index(OneAnswer(), nothing).wheels(index.WheelTarget("3.12", "x86_64-manylinux_2_28"), {"a": "1"})
 
 
 def github_of(document: bytes, folder: Path) -> object:
