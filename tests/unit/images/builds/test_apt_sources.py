@@ -163,7 +163,9 @@ def read(services: Services, hub: LocalRegistry, *layers: bytes, media_type: str
     return sources(services, hub.address, image(hub, *layers, media_type=media_type))
 
 
-def test_an_official_image_is_left_past_its_sources(services: Services, server: LocalRegistry, received: list[int]) -> None:
+def test_an_official_image_is_left_past_its_sources(
+    services: Services, server: LocalRegistry, received: list[int]
+) -> None:
     files = (f"./{LIST}", "# moved to …/ubuntu.sources\n"), (f"./{PARTS}/ubuntu.sources", NOBLE)
     layer = packed("./", ("./bin", ""), "./etc/", "./etc/apt/", *files, ("./usr/x", os.urandom(8 << 20)))
     parsed = [(source.suite, source.components) for source in read(services, server, layer)]
@@ -212,7 +214,9 @@ BELOW = packed(
         ([(f"{PARTS}/a.list.save", "deb http://c.test c c\n"), (f"{PARTS}/.b.list", "x"), ("x/etc/apt/sources.list", "x")], "one a b"),
     ],
 )  # fmt: skip
-def test_a_layer_changes_what_is_below(services: Services, server: LocalRegistry, layer: list[Entry], suites: str) -> None:
+def test_a_layer_changes_what_is_below(
+    services: Services, server: LocalRegistry, layer: list[Entry], suites: str
+) -> None:
     top = packed(("bin/x", ""), *layer, ("usr/x", ""))
     assert " ".join(source.suite for source in read(services, server, BELOW, top)) == suites
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from fakes import archives
-from fakes.http_registry import StandIn
+from fakes.http_registry import LocalRegistry
 from rosml.base.errors import RosmlError
 from rosml.images.builds import contents
 from rosml.images.image_set.model import ImageSet
@@ -23,7 +23,9 @@ PACKAGES = '{"system": {"name": "debian", "version": "12"}, "apt": [], "python":
 TYPES = (file_lists.ARTIFACT, facts.ARTIFACT, sbom.MEDIA_TYPE)
 
 
-def attach(stand_in: StandIn, folder: Path, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, files: bytes) -> int:
+def attach(
+    server: LocalRegistry, folder: Path, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch, files: bytes
+) -> int:
     """Attaches what a builder lists of a ROS image and a part. Returns how many calls of the builder that took."""
     calls: list[buildx.Bake] = []
 
@@ -34,7 +36,7 @@ def attach(stand_in: StandIn, folder: Path, image_set: ImageSet, monkeypatch: py
             archives.write(Path(output), listing)
 
     monkeypatch.setattr(buildx, "run_all", run_all)
-    with Registry(stand_in.address) as registry:
+    with Registry(server.address) as registry:
         images = [("me/ros", ros(unlisted=True)), ("me/part", part("torch", unlisted=True))]
         pushed = [(repository, image.put_manifest(registry, repository)[0]) for repository, image in images]
         sboms = contents.attach(Services.load(folder, required=False), image_set, registry, pushed, lambda line: None)
@@ -46,15 +48,15 @@ def attach(stand_in: StandIn, folder: Path, image_set: ImageSet, monkeypatch: py
 
 
 def test_images_are_listed_by_one_call_and_keep_their_lists(
-    stand_in: StandIn, tmp_path: Path, small: ImageSet, monkeypatch: pytest.MonkeyPatch
+    server: LocalRegistry, tmp_path: Path, small: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for files in (b"usr/bin/a\n", b"usr/bin/b\n"):
-        assert attach(stand_in, tmp_path, small, monkeypatch, files) == 1
+        assert attach(server, tmp_path, small, monkeypatch, files) == 1
 
 
 def test_an_empty_list_of_files_is_an_error(
-    stand_in: StandIn, tmp_path: Path, small: ImageSet, monkeypatch: pytest.MonkeyPatch
+    server: LocalRegistry, tmp_path: Path, small: ImageSet, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It would let any other image's files be hidden."""
     with pytest.raises(RosmlError, match=r"the list of the files of me/ros@sha256:[0-9a-f]+ is empty"):
-        attach(stand_in, tmp_path, small, monkeypatch, b"")
+        attach(server, tmp_path, small, monkeypatch, b"")

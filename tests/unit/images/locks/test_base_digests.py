@@ -28,7 +28,12 @@ def hub(server: LocalRegistry) -> LocalRegistry:
 
 
 def push(
-    hub: LocalRegistry, repository: str, tag: str, architectures: tuple[str, ...] = BOTH, mark: str = "", onbuild: str = ""
+    hub: LocalRegistry,
+    repository: str,
+    tag: str,
+    architectures: tuple[str, ...] = BOTH,
+    mark: str = "",
+    onbuild: str = "",
 ) -> str:
     """Puts an index under a tag; gives its digest."""
     with Registry(hub.address) as registry:
