@@ -14,7 +14,7 @@ from typing import IO, BinaryIO
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, some
-from rosml.delivery import archive, patch
+from rosml.delivery import apply_patch, archive
 from rosml.delivery.archive import Advance, Archive, Write, Writer
 from rosml.delivery.image import PLAIN_LAYER, Image, Layer
 from rosml.delivery.sources import LayerBlob, Source, send_blob
@@ -136,7 +136,7 @@ def _unpacked(file: Archive, blob: LayerBlob) -> Iterator[tuple[LayerBlob, IO[by
     with files.temporary() as packed, files.temporary() as plain:
         archive.receive(blob.digest, blob.size, blob.send, packed)
         try:
-            patch.unpack(packed, blob.layer.diff_id, plain)
+            apply_patch.unpack(packed, blob.layer.diff_id, plain)
         except ValueError as error:
             raise file.damaged(f"{blob.layer.digest}, which it replaces: {error}") from None
         yield replace(blob, send=partial(archive.send_file, packed)), plain
@@ -145,7 +145,7 @@ def _unpacked(file: Archive, blob: LayerBlob) -> Iterator[tuple[LayerBlob, IO[by
 def _patched(image: Image, layer: Layer, older: IO[bytes]) -> LayerBlob:
     digest = image.patches[layer.digest].digest
     try:
-        reader = patch.Reader(image.file.blocks(digest), older.seek(0, 2))
+        reader = apply_patch.Reader(image.file.blocks(digest), older.seek(0, 2))
     except ValueError as error:
         raise image.file.damaged(f"{digest}: {error}") from None
 

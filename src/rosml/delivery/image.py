@@ -12,7 +12,7 @@ from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, first_of
 from rosml.base.shapes import Shape
-from rosml.delivery import archive, patch
+from rosml.delivery import apply_patch, archive
 from rosml.delivery.archive import Archive
 from rosml.images.join import layers as joining
 from rosml.registry import documents, oci, references
@@ -33,23 +33,30 @@ PLAIN_LAYER = {
 _AGAIN = "save it again with rosml save"
 
 
-@dataclass(frozen=True)
-class Layer:
+class _Shape(Shape):
+    model_config = ConfigDict(strict=True, frozen=True)
+
+
+class Layer(_Shape):
     """A layer of an image. `size` is in bytes, compressed."""
 
-    digest: str
-    diff_id: str
-    size: int
+    digest: documents.Digest
+    diff_id: documents.Digest
+    size: documents.Size
 
 
-@dataclass(frozen=True)
-class Patch:
+class Patch(_Shape):
     """What makes a layer of an older one, of which `image` names an image. `size` is in bytes."""
 
-    digest: str
-    size: int
-    older: Layer
-    image: str
+    mediaType: str
+    digest: documents.Digest
+    size: documents.Size
+    older: Layer = Field(alias="old")
+    image: Annotated[str, Field(max_length=1000)]
+
+
+class _Patches(RootModel[dict[documents.Digest, Patch]], Shape):
+    pass
 
 
 @dataclass(frozen=True)
@@ -145,7 +152,7 @@ def _layers(file: Archive, entries: list[documents.Descriptor], diff_ids: list[s
         raise file.damaged(f"its manifest has {len(entries)} layers, and its config {len(diff_ids)}")
     layers: dict[str, Layer] = {}
     for entry, diff_id in zip(entries, diff_ids, strict=True):
-        layer = Layer(entry.digest, diff_id, entry.size)
+        layer = Layer(digest=entry.digest, diff_id=diff_id, size=entry.size)
         if layers.setdefault(entry.digest, layer) != layer:
             raise file.damaged(f"it says two things about {entry.digest}")
         if (size := file.size(entry.digest)) is not None and size != entry.size:
@@ -196,40 +203,16 @@ def _left_out(file: Archive, text: str) -> dict[str, list[str]]:
     return digests_by_name
 
 
-class _Shape(Shape):
-    model_config = ConfigDict(strict=True, frozen=True)
-
-
-class _OlderLayer(_Shape):
-    digest: documents.Digest
-    diff_id: documents.Digest
-    size: documents.Size
-
-
-class _Patch(_Shape):
-    mediaType: str
-    digest: documents.Digest
-    size: documents.Size
-    older: _OlderLayer = Field(alias="old")
-    image: Annotated[str, Field(max_length=1000)]
-
-
-class _Patches(RootModel[dict[documents.Digest, _Patch]], Shape):
-    pass
-
-
 def _patches(file: Archive, text: str) -> dict[str, Patch]:
     annotation = _json(file, text.encode(), archive.PATCHES) if text else {}
     for entry in annotation.values():
         kind = entry.get("mediaType") if isinstance(entry, dict) else None
-        if isinstance(kind, str) and kind != patch.MEDIA_TYPE:
+        if isinstance(kind, str) and kind != apply_patch.MEDIA_TYPE:
             raise RosmlError(
                 f"{file.name} has differences that this rosml does not know: {kind[:100]}", "update rosml", 2
             )
-    patches = {}
-    for digest, entry in _model(file, _Patches, annotation).root.items():
-        if file.size(entry.digest) != entry.size:
-            raise file.damaged(f"it lacks {entry.digest}, or has another size of it")
-        older = Layer(entry.older.digest, entry.older.diff_id, entry.older.size)
-        patches[digest] = Patch(entry.digest, entry.size, older, entry.image)
+    patches: dict[str, Patch] = _model(file, _Patches, annotation).root
+    for patch in patches.values():
+        if file.size(patch.digest) != patch.size:
+            raise file.damaged(f"it lacks {patch.digest}, or has another size of it")
     return patches

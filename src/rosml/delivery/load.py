@@ -8,14 +8,14 @@ import shutil
 import stat
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Any, BinaryIO
+from typing import IO, BinaryIO
 
 from rosml.base import files, progress_bar
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
-from rosml.delivery import delta, engine
+from rosml.delivery import engine, pulled_layers
 from rosml.delivery.archive import BLOCK, Archive
 from rosml.delivery.complete import choose, complete
 from rosml.delivery.image import Image, Layer, read
@@ -52,9 +52,6 @@ class Loaded:
     patch_bytes: int
     taken: int
     held: int
-
-    def to_json(self) -> dict[str, Any]:
-        return asdict(self)
 
 
 @dataclass(frozen=True)
@@ -127,7 +124,7 @@ class Loader:
             return [InArchive(_archive(name, stack))]
         if command and (local_image := engines.image(command, name)):
             return engine.sources(command, image, local_image.id)
-        place = references.parse(delta.complete(name, self.services, self.registries))
+        place = references.parse(pulled_layers.complete(name, self.services, self.registries))
         return [InRegistry(self.registries(place.host), place.repository)]
 
 

@@ -7,14 +7,14 @@ import contextlib
 import hashlib
 import time
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import partial
 from typing import IO, Any, BinaryIO
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.delivery import archive, patch
-from rosml.delivery.delta import OlderLayer, replaced, shared, unique
+from rosml.delivery import apply_patch, archive, make_patch
+from rosml.delivery.pulled_layers import OlderLayer, replaced, shared, unique
 from rosml.images.join.layers import Source
 from rosml.registry import references
 from rosml.registry.client import CONFIG_BYTES, Registries, Registry
@@ -63,9 +63,6 @@ class Saved:
     left_out: int
     left_out_bytes: int
     seconds: float
-
-    def to_json(self) -> dict[str, Any]:
-        return asdict(self)
 
 
 def plan(image: Source, name: str, have: Sequence[Source]) -> Plan:
@@ -149,9 +146,9 @@ def _blob(
         patch_file = stack.enter_context(files.temporary())
         state, length = hashlib.sha256(), 0
         try:
-            patch.unpack(older_file, older.diff_id, before)
-            patch.unpack(layer.file, diff_ids[digest], after)
-            for block in patch.make(before, after):
+            apply_patch.unpack(older_file, older.diff_id, before)
+            apply_patch.unpack(layer.file, diff_ids[digest], after)
+            for block in make_patch.make(before, after):
                 patch_file.write(block)
                 state.update(block)
                 length += len(block)
@@ -171,7 +168,7 @@ def _receive(registry: Registry, repository: str, blob: _Blob, advance: archive.
 def _patch_entry(blob: _Blob, older: OlderLayer) -> dict[str, Any]:
     """As `archive.PATCHES` has it."""
     layer = {"digest": older.digest, "diff_id": older.diff_id, "size": older.size}
-    entry = {"mediaType": patch.MEDIA_TYPE, "digest": blob.digest, "size": blob.size}
+    entry = {"mediaType": apply_patch.MEDIA_TYPE, "digest": blob.digest, "size": blob.size}
     return {**entry, "old": layer, "image": _full_name(older.image)}
 
 

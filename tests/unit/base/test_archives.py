@@ -26,7 +26,7 @@ UNPACKING = {
     "images/builds/apt_sources.py": {"tarfile.open"},
     # Of archives that are not compressed.
     "delivery/archive.py": {"tarfile.open"},
-    "delivery/patch.py": {"tarfile.open"},
+    "delivery/make_patch.py": {"tarfile.open"},
     "images/publish/revision.py": {"tarfile.open"},  # git's
     "machine/exported.py": {"tarfile.open"},
 }

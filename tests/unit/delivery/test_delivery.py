@@ -41,7 +41,7 @@ from fakes.delivery import (
 )
 from fakes.http_registry import DROP, local_registry
 from rosml.cli import command, main
-from rosml.delivery import archive, delta
+from rosml.delivery import archive, pulled_layers
 from rosml.images.join.layers import Source
 from rosml.registry import oci, retries
 
@@ -387,7 +387,7 @@ def test_damage_loads_nothing(shop: Shop, what: str, capsys: pytest.CaptureFixtu
     ],
 )
 def test_what_a_layer_replaces(new: Source, older: Source, pairs: str) -> None:
-    replaced_pairs = {(digest, item.digest) for digest, item in delta.replaced(new, [older]).items()}
+    replaced_pairs = {(digest, item.digest) for digest, item in pulled_layers.replaced(new, [older]).items()}
     digest_pairs = [pair.split("-") for pair in pairs.split()]
     assert replaced_pairs == {
         (oci.digest_of(one.encode()), oci.digest_of(other.encode())) for one, other in digest_pairs

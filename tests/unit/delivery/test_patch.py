@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from rosml.base.archives import zstd
-from rosml.delivery import patch
+from rosml.delivery import apply_patch, make_patch
 
 Files = dict[str, bytes]
 
@@ -35,13 +35,13 @@ def layer(files: Files, mtime: int = 0, form: int = tarfile.PAX_FORMAT) -> bytes
 
 
 def made_patch(old: bytes, new: bytes) -> bytes:
-    return b"".join(patch.make(io.BytesIO(old), io.BytesIO(new)))
+    return b"".join(make_patch.make(io.BytesIO(old), io.BytesIO(new)))
 
 
 def applied(patch_bytes: bytes, old: bytes) -> bytes:
     """What a patch makes. It arrives in small pieces."""
     blocks = (patch_bytes[at : at + 7] for at in range(0, len(patch_bytes), 7))
-    return b"".join(patch.Reader(blocks, len(old)).apply(io.BytesIO(old)))
+    return b"".join(apply_patch.Reader(blocks, len(old)).apply(io.BytesIO(old)))
 
 
 BIG, SMALL = noise(50_000), noise(900, "small")
@@ -75,17 +75,17 @@ def test_a_patch_makes_the_new_layer_and_costs_what_changed(change: str) -> None
 @pytest.mark.parametrize("size", [100, 190_000, 205_000])
 def test_a_large_file_is_made_in_steps(monkeypatch: pytest.MonkeyPatch, size: int) -> None:
     """Each with the bytes of the old file that are at about the same place."""
-    monkeypatch.setattr(patch, "FRESH", 30_000)
-    monkeypatch.setattr(patch, "NEAR", 60_000)
-    monkeypatch.setattr(patch, "_MARGIN", 10_000)
+    monkeypatch.setattr(apply_patch, "FRESH", 30_000)
+    monkeypatch.setattr(apply_patch, "NEAR", 60_000)
+    monkeypatch.setattr(make_patch, "_MARGIN", 10_000)
     before = noise(200_000)
     after = (before[:100_000] + noise(5000, "in the middle") + before[100_000:])[:size]
     old, new = layer({"a": before, "b": SMALL}), layer({"a": after, "b": SMALL, "c": noise(31_000, "c")})
     patch_bytes = made_patch(old, new)
     assert applied(patch_bytes, old) == new
-    plan = patch.Reader([patch_bytes], len(old)).plan
+    plan = apply_patch.Reader([patch_bytes], len(old)).plan
     assert max(step.fresh for step in plan.steps) <= 30_000
-    assert max(sum(length for _, length in step.near) for step in plan.steps) <= 60_000
+    assert max(step.prefix for step in plan.steps) <= 60_000
     assert len(patch_bytes) < 31_000 + 5000 + 1500
 
 
@@ -161,9 +161,9 @@ def test_a_strangers_patch_is_refused(case: str) -> None:
 
 
 def test_prefixes_of_many_gigabytes_are_refused() -> None:
-    data = planned(600, *(step([1], near=[[0, patch.NEAR]]) for _ in range(600)))
+    data = planned(600, *(step([1], near=[[0, apply_patch.NEAR]]) for _ in range(600)))
     with pytest.raises(ValueError, match="too much of the old layer"):
-        patch.Reader([data], 1 << 30)
+        apply_patch.Reader([data], 1 << 30)
 
 
 def test_a_patch_that_somebody_else_wrote_is_applied() -> None:

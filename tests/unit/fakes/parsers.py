@@ -48,7 +48,7 @@ from rosml.containerize.rebase import compatibility, fleet, image, trial
 from rosml.containerize.rebase.attachments import BaseContents
 from rosml.containerize.sources import repos_file, tree, versions
 from rosml.containerize.sources import store as sources_store
-from rosml.delivery import archive, patch
+from rosml.delivery import apply_patch, archive, make_patch
 from rosml.delivery import engine as layers_of_engine
 from rosml.delivery import image as saved_image
 from rosml.delivery.complete import choose, complete
@@ -478,7 +478,7 @@ def packages_of_archive(document: bytes, folder: Path) -> object:
 
 OLD_LAYER = gzip.decompress(tar_of(("a", b"one" * 2000), ("b", bytes(9000))))
 NEW_LAYER = gzip.decompress(tar_of(("a", b"one" * 1999 + b"two"), ("c", bytes(9000)), ("d", b"three")))
-PATCH_PLAN, *FRAMES = patch.make(io.BytesIO(OLD_LAYER), io.BytesIO(NEW_LAYER))
+PATCH_PLAN, *FRAMES = make_patch.make(io.BytesIO(OLD_LAYER), io.BytesIO(NEW_LAYER))
 
 
 PATCH = b"".join((PATCH_PLAN, *FRAMES))
@@ -486,7 +486,7 @@ PATCH = b"".join((PATCH_PLAN, *FRAMES))
 
 def patches_of(patch_bytes: bytes) -> bytes:
     entry = {
-        "mediaType": patch.MEDIA_TYPE,
+        "mediaType": apply_patch.MEDIA_TYPE,
         "digest": oci.digest_of(patch_bytes),
         "size": len(patch_bytes),
         "image": "a",
@@ -623,7 +623,7 @@ def saved_by_engine(document: bytes, folder: Path) -> object:
         document = zlib.decompressobj(31).decompress(document, 20 << 20)
     (folder / "answer").write_bytes(document)
     program = stubs.executable(folder / "docker", f"exec cat {folder}/answer")
-    layer = saved_image.Layer(documents.DIGEST, oci.digest_of(b"x"), 1)
+    layer = saved_image.Layer(digest=documents.DIGEST, diff_id=oci.digest_of(b"x"), size=1)
     for item in layers_of_engine.InEngine(program, "1" * 64, frozenset([layer.diff_id])).take([layer]):
         item.send(lambda blocks: print(*map(len, blocks), file=io.StringIO()))
     return None

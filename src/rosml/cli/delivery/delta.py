@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 
 import click
@@ -29,21 +30,21 @@ def main(one: str, other: str, platforms: tuple[str, ...], as_json: bool) -> Non
     from rosml.base.errors import RosmlError
     from rosml.base.problems import counted, listed
     from rosml.base.units import size
-    from rosml.delivery import delta
+    from rosml.delivery import pulled_layers
     from rosml.images.join.transfer import Transfer
     from rosml.machine.services import Services
     from rosml.registry.client import Registries
 
     services = Services.load(ROOT, required=False)
     with Registries(services.ca_bundle) as registries, Transfer(registries) as transfer:
-        names = [delta.complete(name, services, registries) for name in (one, other)]
+        names = [pulled_layers.complete(name, services, registries) for name in (one, other)]
         before, after = (transfer.platforms(name) for name in names)
         if missing := [name for name in platforms if name not in after]:
             text = f"{names[1]} is for {listed(sorted(after)) or 'no platform'}, not for {listed(missing)}"
             raise RosmlError(text, "name a platform that it has", exit_code=2)
-        deltas = [item for item in delta.deltas(before, after) if item.platform in (platforms or after)]
+        deltas = [item for item in pulled_layers.deltas(before, after) if item.platform in (platforms or after)]
     if as_json:
-        content = {"before": names[0], "after": names[1], "platforms": [item.to_json() for item in deltas]}
+        content = {"before": names[0], "after": names[1], "platforms": [dataclasses.asdict(item) for item in deltas]}
         terminal.echo(json.dumps(content, indent=2))
         return
     for item in deltas:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import os
 
@@ -46,7 +47,7 @@ def main(file: str, origins: tuple[str, ...], into: str, as_json: bool) -> None:
     with Registries(services.ca_bundle) as registries:
         loaded = Loader(services, registries, os.environ, say, warn).load(file, origins, into)
     if as_json:
-        terminal.echo(json.dumps(loaded.to_json(), indent=2))
+        terminal.echo(json.dumps(dataclasses.asdict(loaded), indent=2))
         return
     terminal.echo(f"{loaded.image}@{loaded.digest}" if loaded.image else loaded.id)
     terminal.echo(f"{counted(loaded.layers, 'layer')} of the file, {size(loaded.bytes)}")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import dataclasses
 import json
 import sys
 from pathlib import Path
@@ -42,7 +43,7 @@ def main(image: str, have: tuple[str, ...], output: str, platform: str, as_json:
     from rosml.base.errors import RosmlError
     from rosml.base.problems import counted
     from rosml.base.units import duration, size
-    from rosml.delivery import delta, save
+    from rosml.delivery import pulled_layers, save
     from rosml.images.builds.base_images import native_architecture
     from rosml.images.join.transfer import Transfer
     from rosml.machine.services import Services
@@ -55,17 +56,17 @@ def main(image: str, have: tuple[str, ...], output: str, platform: str, as_json:
     platform = platform or f"linux/{native_architecture()}"
     services = Services.load(ROOT, required=False)
     with Registries(services.ca_bundle) as registries, Transfer(registries) as transfer:
-        name = delta.complete(image, services, registries)
-        source = delta.for_platform(transfer, name, platform)
-        others = [delta.complete(other, services, registries) for other in have]
-        plan = save.plan(source, name, [delta.for_platform(transfer, other, platform) for other in others])
+        name = pulled_layers.complete(image, services, registries)
+        source = pulled_layers.for_platform(transfer, name, platform)
+        others = [pulled_layers.complete(other, services, registries) for other in have]
+        plan = save.plan(source, name, [pulled_layers.for_platform(transfer, other, platform) for other in others])
         with (
             contextlib.nullcontext(sys.stdout.buffer) if pipe else files.whole(Path(output)) as out,
             progress_bar.of_bytes("layers", plan.bytes) as advance,
         ):
             saved = save.write(plan, registries, out, advance)
     if as_json:
-        terminal.echo(json.dumps(saved.to_json(), indent=2))
+        terminal.echo(json.dumps(dataclasses.asdict(saved), indent=2))
         return
     terminal.echo(f"{saved.image.partition('@')[0]}@{saved.digest}", err=pipe)
     terminal.echo(f"{saved.platform}: {counted(saved.layers, 'layer')}, {size(saved.bytes)}", err=pipe)

@@ -14,7 +14,7 @@ from fakes.rebasing import BOTH, App, Place, place
 from rosml.base.errors import RosmlError
 from rosml.containerize.rebase import trial
 from rosml.containerize.rebase.image import as_buildkit
-from rosml.delivery.delta import for_platform
+from rosml.delivery.pulled_layers import for_platform
 from rosml.images.join.transfer import Transfer
 from rosml.machine import exported
 from rosml.machine.services import Services

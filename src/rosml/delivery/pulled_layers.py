@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass
-from typing import Any
+from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
@@ -35,9 +34,6 @@ class Delta:
     kept_bytes: int
     replaced: int = 0
     replaced_bytes: int = 0
-
-    def to_json(self) -> dict[str, Any]:
-        return asdict(self)
 
 
 def unique(image: Source) -> dict[str, Descriptor]:
