@@ -22,8 +22,8 @@ import click
 
 from rosml import ROOT
 from rosml.base import files
-from rosml.base.addresses import addresses
 from rosml.base.errors import RosmlError
+from rosml.base.project_addresses import addresses
 from rosml.cli import command
 
 CONFIG = "mkdocs.yml"

@@ -10,7 +10,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:1] = [str(ROOT / "src"), str(ROOT / "tools")]
 
-from offline.official import missing  # noqa: E402
+from offline import missing  # noqa: E402
 
 
 def ensure(image: str, architecture: str, python: str) -> dict[str, str]:

@@ -8,8 +8,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from offline import debian
-from offline.official import missing
+from offline import debian, missing
 from rosml.base.errors import RosmlError
 from rosml.images.matrix.model import ANY_PYTHON
 from rosml.machine.services import Services
@@ -55,14 +54,8 @@ def with_python(services: Services, reference: str, python: str, home: Path) -> 
                 shutil.copy(home / part, context / part)
         (context / "Dockerfile").write_text(f"FROM {reference}\nCOPY bin /usr/bin\nCOPY lib /usr/lib\n")
         repository = f"{services.registry}/library/assembler"
-        command = [
-            *services.buildx,
-            "build",
-            "--builder",
-            services.builder,
-            "--metadata-file",
-            str(context / "metadata.json"),
-        ]
+        command = [*services.buildx, "build", "--builder", services.builder]
+        command += ["--metadata-file", str(context / "metadata.json")]
         command += ["--output", f"type=image,name={repository},push=true,push-by-digest=true", str(context)]
         done = subprocess.run(
             command, env=services.environment(), stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False

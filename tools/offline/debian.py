@@ -20,7 +20,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
 
-from offline.official import debian_suite, missing
+from offline import debian_suite, missing
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
 from rosml.images.builds.base_images import native_architecture
@@ -171,20 +171,16 @@ def isolated(argv: list[str]) -> list[str]:
     return ["unshare", "--mount", "--pid", "--fork", "--kill-child", *argv]
 
 
-def make(
-    services: Services, suite: str, architecture: str, folder: Path, tag: str = "", lock: int | None = None
-) -> str:
+def make(services: Services, suite: str, architecture: str, folder: Path, tag: str, lock: int) -> str:
     """Makes a Debian image and pushes it. Returns its digest. The tag comes last: an interrupted call leaves none.
 
     Args:
         folder: for its files; removed at the end.
-        tag: the image's tag in the local registry; the suite if empty.
         lock: the file descriptor of a lock that holds while mmdebstrap runs, even if this process is killed.
     """
     if shutil.which("mmdebstrap") is None:
         text = "mmdebstrap is not installed; it makes base images where Docker Hub does not answer"
         raise RosmlError(text, "run 'rosml setup'")
-    tag = tag or suite
     say(f"base image debian:{tag}: making it with mmdebstrap, since Docker Hub does not answer")
     started = time.monotonic()
     shutil.rmtree(folder, ignore_errors=True)
@@ -196,7 +192,7 @@ def make(
         (folder / "tmp").mkdir()
         env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
         argv = isolated(command(suite, architecture, folder / "files", tar))
-        run(say, Call("mmdebstrap", argv, log, env, pass_fds=() if lock is None else (lock,)))
+        run(say, Call("mmdebstrap", argv, log, env, pass_fds=(lock,)))
         add_folders(tar)
         manifest, blobs = build_image(tar, tag, architecture)
         digest = push(services, manifest, blobs, tag)

@@ -34,21 +34,20 @@ EVENTS = 100_000
 CHECK = "check where it is from"
 
 
-def json_of(data: bytes | str, what: str, limit: int = SIZE, remedy: str = CHECK, exit_code: int = 1) -> Any:
-    """The value of a JSON text of at most `limit` bytes. `what` is its name in messages.
-
-    Raises:
-        RosmlError: it has more than `VALUES` values, is nested deeper than `DEPTH`, or no JSON in UTF-8; it has a number of more than
-            `DIGITS` digits or too large for a float, the same key twice in an object, or half of a surrogate pair.
-    """
+def json_of(data: bytes | str, what: str) -> Any:
+    """As `json_value`, with RosmlError for ValueError. `what` is the text's name in messages."""
     try:
-        return json_value(data, limit)
+        return json_value(data)
     except ValueError as error:
-        raise RosmlError(f"{what} is no JSON: {error}", remedy, exit_code) from None
+        raise RosmlError(f"{what} is no JSON: {error}", CHECK) from None
 
 
 def json_value(data: bytes | str, limit: int = SIZE) -> Any:
-    """As `json_of`, with ValueError for RosmlError."""
+    """The value of a JSON text of at most `limit` bytes.
+
+    Raises ValueError if it has more than `VALUES` values, is nested deeper than `DEPTH`, or no JSON in UTF-8; if it has a number of more than
+    `DIGITS` digits or too large for a float, the same key twice in an object, or half of a surrogate pair.
+    """
     (value,) = json_values(data, limit, one=True)
     return value
 

@@ -100,7 +100,9 @@ class Rosml(Group):
         return super().resolve_command(ctx, args)
 
     def format_epilog(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        from rosml.base.addresses import help_lines  # only needed here, and `rosml run` starts sooner without it
+        from rosml.base.project_addresses import (
+            help_lines,  # only needed here, and `rosml run` starts sooner without it
+        )
 
         with formatter.section("Help"):
             for line in help_lines():

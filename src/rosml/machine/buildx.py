@@ -19,7 +19,6 @@ from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import holder, turn
 from rosml.base.problems import listed
-from rosml.machine import trust
 from rosml.machine.progress import TAIL_LINES, BuildProgress, Step
 from rosml.machine.services import Services
 from rosml.registry import credentials, failures, references, retries
@@ -166,7 +165,7 @@ def command(services: Services, bake: Bake, metadata: Path) -> list[str]:
 
 
 def environment(services: Services, bake: Bake) -> dict[str, str]:
-    env = trust.trusting(services)
+    env = services.trusting()
     # With attestations, the pushed digest would be that of an index that changes with every build. We keep them apart.
     env["BUILDX_NO_DEFAULT_ATTESTATIONS"] = "1"
     env["CA_BUNDLE"] = services.ca_bundle

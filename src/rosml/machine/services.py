@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import ssl
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,13 +14,12 @@ import httpx
 from rosml.base import files, untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.shapes import adapter
-from rosml.registry import credentials
+from rosml.registry import certificates, credentials
 
 NAMESPACE = "rosml"
 """Namespace of images in the local registry."""
 REMEDY = "run 'rosml setup'"
 REGISTRY_SECONDS = 5.0
-ANSWER_BYTES = 4 << 20
 BUILDER_SECONDS = 60.0
 
 
@@ -91,6 +91,25 @@ class Services:
         entries = [entry.strip() for name in spellings for entry in env.get(name, "").split(",") if entry.strip()]
         return env | dict.fromkeys(spellings, ",".join(dict.fromkeys([*entries, "127.0.0.1", "localhost"])))
 
+    def trusting(self) -> dict[str, str]:
+        """The environment of a program that looks for authorities only in a bundle, for all registries.
+
+        Certificates that this user may not read are left out. If the client asks their registry, its error names them.
+        """
+        env = self.environment()
+        certificate_files = [file for files_of_host in certificates.by_host().values() for file in files_of_host]
+        if not certificate_files:
+            return env
+        base = self.ca_bundle or ssl.get_default_verify_paths().cafile or ""
+        try:
+            texts = [file.read_text(errors="replace") for file in (*([Path(base)] if base else []), *certificate_files)]
+        except OSError as error:
+            raise RosmlError(f"cannot read {error.filename}: {error.strerror}", "let this user read it") from None
+        bundle = self.state / "cache" / "authorities.pem"
+        bundle.parent.mkdir(parents=True, exist_ok=True)
+        files.write(bundle, "\n".join(texts))
+        return {**env, "SSL_CERT_FILE": str(bundle)}
+
     @property
     def place(self) -> str:
         """The place of images in the local registry."""
@@ -101,15 +120,7 @@ class Services:
     def require_registry(self) -> None:
         if not self.registry:
             raise RosmlError("the local registry is not up", REMEDY)
-        try:
-            with web.client(timeout=REGISTRY_SECONDS, trust_env=False, verify=False) as client:
-                request = client.build_request("GET", f"http://{self.registry}/v2/")
-                answer = client.send(request, stream=True)
-                web.read(answer, ANSWER_BYTES)
-                answers = answer.is_success
-        except (httpx.HTTPError, httpx.InvalidURL, ValueError):
-            answers = False
-        if not answers:
+        if not registry_answers(self.registry):
             raise RosmlError(f"the local registry at {self.registry} does not answer", REMEDY)
 
     def require_builder(self, platform: str = "") -> None:
@@ -129,6 +140,18 @@ class Services:
         if platform and platform not in platforms:
             text = f"the builder '{self.builder}' does not run programs for {platform}"
             raise RosmlError(text, "run 'rosml setup emulate'")
+
+
+def registry_answers(address: str) -> bool:
+    """Whether a registry on loopback answers, without a proxy and without TLS."""
+    try:
+        with (
+            web.client(timeout=REGISTRY_SECONDS, trust_env=False, verify=False) as client,
+            client.stream("GET", f"http://{address}/v2/") as answer,
+        ):
+            return answer.is_success
+    except (httpx.HTTPError, httpx.InvalidURL, ValueError):
+        return False
 
 
 def _inspect(

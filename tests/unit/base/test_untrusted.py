@@ -13,10 +13,10 @@ from rosml.base.errors import RosmlError
 
 def test_json_is_read() -> None:
     value = {"a": [1, -1.5, None, True, "é\U0001f916"], "b": 2**64 - 1}
-    assert untrusted.json_of(json.dumps(value).encode("utf-8-sig"), "it") == value
-    assert untrusted.json_of(json.dumps(value), "it") == value
+    assert untrusted.json_value(json.dumps(value).encode("utf-8-sig")) == value
+    assert untrusted.json_value(json.dumps(value)) == value
     deepest = "[" * untrusted.DEPTH + "]" * untrusted.DEPTH
-    assert json.dumps(untrusted.json_of(deepest, "it")) == deepest
+    assert json.dumps(untrusted.json_value(deepest)) == deepest
     assert untrusted.json_values(' {"a": 1}\n"b" 3') == [{"a": 1}, "b", 3]
     assert untrusted.json_values(" \n") == []
 
@@ -39,9 +39,8 @@ def test_json_is_read() -> None:
 )
 def test_json_that_would_harm_is_refused(text: bytes, why: str) -> None:
     limit = 1_000 if b"xxx" in text else untrusted.SIZE
-    with pytest.raises(RosmlError, match=f"^the answer is no JSON: {why}") as caught:
-        untrusted.json_of(text, "the answer", limit, "ask again", exit_code=2)
-    assert (caught.value.remedy, caught.value.exit_code) == ("ask again", 2)
+    with pytest.raises(ValueError, match=f"^{why}"):
+        untrusted.json_value(text, limit)
 
 
 def test_yaml_is_read() -> None:

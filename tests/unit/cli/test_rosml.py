@@ -24,7 +24,7 @@ from conftest import ROOT, SMALL
 
 import rosml
 from fakes.http_registry import local_registry
-from rosml.base import addresses, environment
+from rosml.base import environment, project_addresses
 from rosml.cli import checkout, main
 from rosml.images.image_set import load
 from rosml.registry.client import Registry
@@ -58,7 +58,7 @@ def test_its_help_ends_with_where_to_find_more(wheel: Path, tmp_path: Path, monk
     record.write_text(f"{head}\nProject-URL: Issues, https://forge.example/rosml/issues\n\n{body}")
     assert installed(copy, tmp_path, "--help").stdout.endswith("Help:\n  Issues: https://forge.example/rosml/issues\n")
     (tmp_path / "pyproject.toml").write_text('[project.urls]\nDocumentation = "https://docs.example/rosml"\n')
-    monkeypatch.setattr(addresses, "ROOT", tmp_path)
+    monkeypatch.setattr(project_addresses, "ROOT", tmp_path)
     output = CliRunner().invoke(main.cli, ["--help"]).output
     assert output.endswith("Help:\n  Documentation: https://docs.example/rosml\n")
 

@@ -143,28 +143,33 @@ def fake_mmdebstrap(folder: Path, text: str, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setenv("PATH", f"{path.parent}:/usr/bin:/bin")
 
 
+FOLDER = ".state/base/bookworm"
+
+
+def make(root: Path, **facts: str) -> str:
+    return debian.make(load(root, **facts), "bookworm", "amd64", root / FOLDER, "bookworm", 2)
+
+
 def test_failed_mmdebstrap_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     fake_mmdebstrap(tmp_path, "echo E: no mirror >&2; exit 7", monkeypatch)
-    folder = tmp_path / ".state/base/bookworm"
     with pytest.raises(RosmlError, match="E: no mirror"):
-        debian.make(load(tmp_path), "bookworm", "amd64", folder)
-    assert not folder.exists()
+        make(tmp_path)
+    assert not (tmp_path / FOLDER).exists()
 
 
 def test_no_mmdebstrap(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(RosmlError, match="not installed") as caught:
-        debian.make(load(tmp_path), "bookworm", "amd64", tmp_path / "x")
+        make(tmp_path)
     assert caught.value.remedy == "run 'rosml setup'"
 
 
 def test_push_that_fails(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     fake_mmdebstrap(tmp_path, 'tar --create --file "${@: -1}" --files-from /dev/null', monkeypatch)
-    folder = tmp_path / ".state/base/bookworm"
     with local_registry() as registry, pytest.raises(RosmlError, match="405"):
         registry.fault("PUT", "/manifests/", 405)
-        debian.make(load(tmp_path, registry=registry.address), "bookworm", "amd64", folder)
-    assert not folder.exists()
+        make(tmp_path, registry=registry.address)
+    assert not (tmp_path / FOLDER).exists()
 
 
 def test_an_image_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

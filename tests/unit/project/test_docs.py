@@ -16,8 +16,8 @@ import pytest
 import yaml
 from conftest import ROOT
 
-from rosml.base.addresses import addresses
 from rosml.base.errors import RosmlError
+from rosml.base.project_addresses import addresses
 from rosml.images.catalogue import tags_page
 from rosml.images.image_set import locked
 from rosml.images.image_set.model import ImageSet

@@ -15,7 +15,6 @@ import trustme
 from fakes.http_registry import local_registry
 from fakes.stubs import services
 from rosml.base.errors import RosmlError
-from rosml.machine import trust
 from rosml.registry import certificates, retries
 from rosml.registry.client import Registry
 
@@ -27,7 +26,7 @@ DAY = datetime.timedelta(days=1)
 def docker(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     monkeypatch.setattr(certificates, "SYSTEM", tmp_path / "system")
-    monkeypatch.setattr(retries, "WAIT", 0.001)
+    monkeypatch.setattr(failures, "WAIT", 0.001)
     return tmp_path / "docker/certs.d"
 
 
@@ -119,7 +118,7 @@ def test_a_damaged_certificate_stops_its_own_host_alone(
         Registry("other.example")
     assert caught.value.exit_code == 2
     if damage is not cut:
-        bundle = Path(trust.trusting(services(tmp_path, ca_bundle=str(base)))["SSL_CERT_FILE"])
+        bundle = Path(services(tmp_path, ca_bundle=str(base)).trusting()["SSL_CERT_FILE"])
         assert bundle.read_text() == f"the usual ones\n\n{good.read_text()}"
         assert set(certificates.by_host()) == {"reg.example"}
 
@@ -136,10 +135,10 @@ def test_the_bundle_is_the_usual_one_without_further_certificates(tmp_path: Path
     base = tmp_path / "base.pem"
     here = services(tmp_path, ca_bundle=str(base))
     base.write_text("the usual ones\n")
-    assert trust.trusting(here)["SSL_CERT_FILE"] == str(base)
+    assert here.trusting()["SSL_CERT_FILE"] == str(base)
 
 
 def test_a_bundle_that_cannot_be_read(docker: Path, tmp_path: Path) -> None:
     put(docker, "reg.example", trustme.CA())
     with pytest.raises(RosmlError, match=r"cannot read .*base\.pem: No such file"):
-        trust.trusting(services(tmp_path, ca_bundle=str(tmp_path / "base.pem")))
+        services(tmp_path, ca_bundle=str(tmp_path / "base.pem")).trusting()

@@ -256,10 +256,9 @@ def _screen(name: str, services: Services) -> Callable[[bytes, str], str]:
     from rosml.containerize.rebase.screen import Screen, require_advisory
     from rosml.images.scan import policy
     from rosml.images.scan.trivy import Trivy
-    from rosml.machine import trust
 
     require_advisory(name)  # before the database is fetched
-    trivy = Trivy.find(ROOT, environment=trust.trusting(services))
+    trivy = Trivy.find(ROOT, environment=services.trusting())
     rules = policy.load(ROOT / "scan.yaml").policy.database
     trivy.fetch(rules, say=say).require_fresh(rules, datetime.now(UTC))
     return Screen(name, trivy.scan)

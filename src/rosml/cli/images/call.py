@@ -274,11 +274,10 @@ class Call:
         from rosml.images.builds.maker import BuildKitMaker
         from rosml.images.publish.cosign import Signer
         from rosml.images.publish.run import Run
-        from rosml.machine import trust
 
         started = time.monotonic()
         # If the signer is missing, the command ends before anything is asked.
-        signer = Signer.find(ROOT, trust.trusting(self.services(reading=False))) if self.sign else None
+        signer = Signer.find(ROOT, self.services(reading=False).trusting()) if self.sign else None
         state = self.survey(turn=True)
         services = state.request.services
         maker = BuildKitMaker(services, self.image_set, state.place, say, self.force, state.forecast)

@@ -12,8 +12,8 @@ from pathlib import Path
 
 from rosml import IN_CHECKOUT, MATRIX, ROOT
 from rosml.base import terminal, untrusted
-from rosml.base.addresses import addresses
 from rosml.base.errors import RosmlError
+from rosml.base.project_addresses import addresses
 from rosml.cli import first_files
 from rosml.images.image_set import load, own_set
 from rosml.images.image_set.own_set import Upstream

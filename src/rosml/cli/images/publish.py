@@ -181,11 +181,10 @@ def _scan(
     from rosml.images.publish.steps.scan import scan as scan_images
     from rosml.images.scan import policy
     from rosml.images.scan.trivy import ScannerFailed, Trivy
-    from rosml.machine import trust
 
     rules = policy.load(call.policy)
     try:
-        trivy: Trivy | ScannerFailed = Trivy.find(ROOT, environment=trust.trusting(run.state.request.services))
+        trivy: Trivy | ScannerFailed = Trivy.find(ROOT, environment=run.state.request.services.trusting())
         if fetch and isinstance(trivy, Trivy):
             trivy.fetch(rules.policy.database, database, say)
     except ScannerFailed as error:  # the outcome of every image says so

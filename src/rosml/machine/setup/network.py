@@ -1,4 +1,4 @@
-"""Checks of the network: Docker Hub, the local registry, loopback ports and sockets."""
+"""Checks of the network: Docker Hub, loopback ports and sockets."""
 
 from __future__ import annotations
 
@@ -45,15 +45,11 @@ def _ask_docker_hub(ca_bundle: str, answers: list[bool]) -> None:
     try:
         trusted = ssl.create_default_context(cafile=ca_bundle or None)
         with web.client(verify=trusted, timeout=HUB_SECONDS) as client, client.stream("GET", HUB_API) as answer:
-            answers.append(_is_registry(answer))
+            # A registry's answer to /v2/ is 200, or 401 with the place of a token.
+            is_registry = answer.headers.get("Docker-Distribution-Api-Version", "").startswith("registry/")
+            answers.append(is_registry and answer.status_code in (200, 401))
     except (httpx.HTTPError, httpx.InvalidURL, OSError, ValueError, RosmlError):
         answers.append(False)
-
-
-def _is_registry(answer: httpx.Response) -> bool:
-    """Whether an answer to ``GET /v2/`` is a registry's: 200, or 401 with the place of a token."""
-    is_registry = answer.headers.get("Docker-Distribution-Api-Version", "").startswith("registry/")
-    return is_registry and answer.status_code in (200, 401)
 
 
 def answers(address: str) -> bool:
@@ -63,17 +59,6 @@ def answers(address: str) -> bool:
     except (httpx.HTTPError, httpx.InvalidURL, OSError, ValueError, RosmlError):
         return False
     return True
-
-
-def registry_answers(address: str) -> bool:
-    try:
-        with (
-            web.client(timeout=3.0, trust_env=False, verify=False) as client,
-            client.stream("GET", f"http://{address}/v2/") as answer,
-        ):
-            return _is_registry(answer)
-    except (httpx.HTTPError, httpx.InvalidURL, ValueError):
-        return False
 
 
 def port_is_free(port: int) -> bool:

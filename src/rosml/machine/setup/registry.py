@@ -13,6 +13,7 @@ from pathlib import Path
 from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.units import duration
+from rosml.machine.services import registry_answers
 from rosml.machine.setup import network
 from rosml.machine.setup.daemon import START_SECONDS, Daemon, wait_until
 from rosml.machine.setup.process import tail
@@ -64,7 +65,7 @@ def up(state: State) -> str:
     registry, port, say = daemon(state), last_port(state), state.say
     if port:
         _write(state, port)
-    if port and registry.pid() and registry.current() and network.registry_answers(f"127.0.0.1:{port}"):
+    if port and registry.pid() and registry.current() and registry_answers(f"127.0.0.1:{port}"):
         say(f"registry: runs at 127.0.0.1:{port}")
         return f"127.0.0.1:{port}"
     if registry.stop(patience=5.0):
@@ -112,4 +113,4 @@ def _write_private(file: Path, text: str) -> None:
 
 
 def _settled(registry: Daemon, port: int) -> bool:
-    return not registry.pid() or network.registry_answers(f"127.0.0.1:{port}")
+    return not registry.pid() or registry_answers(f"127.0.0.1:{port}")

@@ -18,7 +18,7 @@ import pytest
 
 from fakes.setups import new_state, services_of
 from rosml.base.errors import RosmlError
-from rosml.machine.services import Services
+from rosml.machine.services import Services, registry_answers
 from rosml.machine.setup import network, process, registry
 from rosml.machine.setup.daemon import Daemon, command_line, wait_until
 from rosml.machine.setup.state import LONGEST_SOCKET_PATH, State
@@ -118,7 +118,7 @@ def test_ports() -> None:
         assert not network.port_is_free(port)
     assert network.port_is_free(port)
     assert network.free_port() > 1023
-    assert not network.registry_answers(f"127.0.0.1:{port}")
+    assert not registry_answers(f"127.0.0.1:{port}")
 
 
 # ---- Sockets ---------------------------------------------------------------------------------------------------------

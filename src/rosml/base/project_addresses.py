@@ -1,4 +1,4 @@
-"""Where people find help. The addresses are in pyproject.toml, `[project.urls]`; a wheel has them in its metadata."""
+"""The project's public addresses, for help and for sets of images. They are in pyproject.toml, `[project.urls]`; a wheel has them in its metadata."""
 
 from __future__ import annotations
 
