@@ -27,14 +27,14 @@ for path in $PATHS; do
 done"""
 DOWNLOAD = '[ -d "$ARTIFACTS/$NAME" ]; case " $LOST " in *" $NAME "*) exit 1 ;; esac; mkdir -p "${PATHS:-.}"; cp -a "$ARTIFACTS/$NAME/." "${PATHS:-.}"'
 
-OWN, OWN_COMMIT = "rosml/rosml", "0" * 40
+REPOSITORY, COMMIT = "rosml/rosml", "0" * 40
 """What stands for this repository and its commit in `uses:`. act does not know $/."""
 
-OWN_CHECKOUT = f"{OWN}/.github/actions/checkout"
+CHECKOUT_ACTION = f"{REPOSITORY}/.github/actions/checkout"
 
 ACTIONS = {
     "actions/checkout": 'cp -a "$CHECKOUT/." . && cp -a "$FRONT/." .',
-    OWN_CHECKOUT: 'cp -a "$CHECKOUT/." . && cp -a "$FRONT/." .',
+    CHECKOUT_ACTION: 'cp -a "$CHECKOUT/." . && cp -a "$FRONT/." .',
     "actions/upload-artifact": UPLOAD,
     "actions/download-artifact": DOWNLOAD,
     "actions/cache/restore": 'echo "$KEY $PATHS" >>"$CACHES"',
@@ -83,14 +83,14 @@ def program() -> str:
     Raises:
         AssertionError: it is not installed.
     """
-    found = Path(sys.executable).parent / "act"
-    assert found.exists(), "act is not installed: make lint installs it"
-    return str(found)
+    path = Path(sys.executable).parent / "act"
+    assert path.exists(), "act is not installed: make lint installs it"
+    return str(path)
 
 
 def actions(text: str, folder: Path) -> list[str]:
     """Writes the replacement of each action that a workflow names; gives act's options for them."""
-    found = []
+    options = []
     for name, commit in sorted(set(re.findall(r"uses: ([\w./-]+)@(\w+)", text))):
         repository = "/".join(name.split("/")[:2])
         place = folder / repository.replace("/", "-")
@@ -103,8 +103,8 @@ def actions(text: str, folder: Path) -> list[str]:
         inputs = {name: {"default": ""} for name in (*INPUTS.values(), "registry")}
         content = {"name": name, "inputs": inputs, "runs": {"using": "composite", "steps": [step]}}
         (home / "action.yml").write_text(yaml.safe_dump(content))
-        found.append(f"--local-repository={repository}@{commit}={place}")
-    return sorted(set(found))
+        options.append(f"--local-repository={repository}@{commit}={place}")
+    return sorted(set(options))
 
 
 def play(
@@ -138,7 +138,7 @@ def play(
         ValueError: act does not understand the workflow; with its reasons.
     """
     texts = {
-        name: re.sub(r"uses: \$/(\S+)", rf"uses: {OWN}/\1@{OWN_COMMIT}", content)
+        name: re.sub(r"uses: \$/(\S+)", rf"uses: {REPOSITORY}/\1@{COMMIT}", content)
         for name, content in {"workflow.yml": text, **(called or {})}.items()
     }
     for name in ("repository/.github/workflows", "programs", "front", "artifacts", "home", "empty"):
@@ -161,7 +161,7 @@ def play(
     node = folder / "programs/node"  # of which act asks the path at each step; no action here is JavaScript
     node.write_text(f"#!/bin/sh\necho {node}\n")
     node.chmod(0o755)
-    given = {
+    variables_of_jobs = {
         "ARTIFACTS": folder / "artifacts",
         "CALLS": calls,
         "CACHES": caches,
@@ -173,14 +173,14 @@ def play(
         # Or act would look into the repository for each expression that it evaluates, which is half of its time.
         "GITHUB_REPOSITORY": repository,
         "GITHUB_REF": "refs/heads/main",
-        "SHA_REF": OWN_COMMIT,
+        "SHA_REF": COMMIT,
     }
     argv = [program(), event, "--json", "--verbose", "--no-skip-checkout", "--no-cache-server", "--pull=false"]
     argv += ["--workflows", ".github/workflows/workflow.yml", f"--secret=GITHUB_TOKEN={TOKEN}"]
     argv += [f"--secret={name}={value}" for name, value in (secrets or {}).items()]
     argv += [f"--platform={machine}=-self-hosted" for machine in ("ubuntu-24.04", "ubuntu-24.04-arm")]
     argv += actions("\n".join(texts.values()), folder / "actions")
-    argv += [f"--env={name}={value}" for name, value in given.items()]
+    argv += [f"--env={name}={value}" for name, value in variables_of_jobs.items()]
     argv += [f"--var={name}={value}" for name, value in (variables or {}).items()]
     argv += [f"--input={name}={value}" for name, value in (inputs or {}).items()]
     if visibility:
@@ -212,14 +212,14 @@ def read(log: str, calls: Path, caches: Path, artifacts: Path) -> Played:
     for line in log.splitlines():
         if not line.startswith("{"):
             continue
-        said = json.loads(line)
-        job = said.get("jobID", "")
-        if result := said.get("jobResult"):
+        event = json.loads(line)
+        job = event.get("jobID", "")
+        if result := event.get("jobResult"):
             if played.results.get(job) != "failure":
                 played.results[job] = result
-            played.matrix.setdefault(job, []).append(said.get("matrix"))
-        if said.get("stage") == "Main" and len(said.get("stepID", ())) == 1 and said.get("stepResult") in ENDS:
-            played.steps.setdefault(job, {})[said["step"]] = said["stepResult"]
+            played.matrix.setdefault(job, []).append(event.get("matrix"))
+        if event.get("stage") == "Main" and len(event.get("stepID", ())) == 1 and event.get("stepResult") in ENDS:
+            played.steps.setdefault(job, {})[event["step"]] = event["stepResult"]
     for line in calls.read_text().splitlines() if calls.exists() else ():
         job, _, call = line.partition("\t")
         played.commands.setdefault(job, []).append(call)

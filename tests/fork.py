@@ -23,8 +23,8 @@ HOME: str = (
 
 def source(matrix: str) -> str:
     """The address of the project that a matrix's text names; empty where it names none."""
-    found = re.search(r"^source: *([^\s#]+)", matrix, re.MULTILINE)
-    return found[1] if found else ""
+    match = re.search(r"^source: *([^\s#]+)", matrix, re.MULTILINE)
+    return match[1] if match else ""
 
 
 FORK = any(
@@ -49,7 +49,7 @@ OURS = frozenset(
         "unit/project/test_docs.py::test_every_image_that_a_page_builds_on_is_one_that_there_is",
         "unit/project/test_docs.py::test_old_tags_lead_to_tags_that_there_are",
         "unit/project/test_docs.py::test_yaml_of_the_documentation_is_yaml",
-        "unit/project/test_docs.py::test_the_readme_says_which_distributions_lack_an_image",
+        "unit/project/test_docs.py::test_the_page_of_tags_says_which_distributions_lack_an_image",
         "unit/project/test_recording.py",
         "unit/cli/test_documented.py::test_parsers_accept_what_a_page_shows",
         "unit/images/test_expand.py::test_a_live_repository_that_is_not_pinned",
@@ -59,7 +59,7 @@ OURS = frozenset(
         "unit/images/bake/test_inputs.py::test_every_file_of_structure_tests_is_run_somewhere",
         "unit/images/scan/test_policy.py::test_the_projects_policy_lets_old_pythons_have_images",
         "unit/images/test_extend.py::test_a_set_of_ones_own",
-        "unit/project/test_docs.py::test_the_readme_says_which_images_of_its_table_lack_a_lock",
+        "unit/project/test_docs.py::test_the_page_of_tags_says_which_images_lack_a_lock",
         "unit/images/test_scale.py::test_a_second_run_over_the_whole_matrix_does_nothing",
         "unit/cli/test_selections.py",
         "unit/images/builds/test_sync.py::test_the_repository_of_a_distribution",

@@ -38,10 +38,10 @@ def sentences(file: str, text: str, first: int = 1) -> Iterator[Sentence]:
         first: the number of its first line.
     """
     for pattern in (_FENCE, _COMMENT):
-        text = pattern.sub(lambda found: "\n" * found[0].count("\n"), text)
-    text = re.sub(r"`+[^`]+`+", lambda found: "§" + "\n" * found[0].count("\n"), text)
+        text = pattern.sub(lambda match: "\n" * match[0].count("\n"), text)
+    text = re.sub(r"`+[^`]+`+", lambda match: "§" + "\n" * match[0].count("\n"), text)
     text = re.sub(r"\]\([^)\s]*\)", "]", text)
-    text = _BLOCK.sub(lambda found: "\x00" + found[0], text)
+    text = _BLOCK.sub(lambda match: "\x00" + match[0], text)
     begin = 0
     for end in [*_END.finditer(text), None]:
         piece = text[begin : end.start() if end else None]
@@ -66,16 +66,16 @@ def messages(file: str, text: str) -> Iterator[Sentence]:
             "click" in ast.unparse(name) for name in node.decorator_list
         )
         if isinstance(node, ast.Module | ast.FunctionDef) and (command or (node is tree and "help=__doc__" in text)):
-            said = ast.get_docstring(node) or ""
-            said = re.sub(r"\x08.*?(?=\n *\n|$)", lambda found: "\n" * found[0].count("\n"), said, flags=re.DOTALL)
-            yield from sentences(file, said, node.body[0].lineno)
+            words = ast.get_docstring(node) or ""
+            words = re.sub(r"\x08.*?(?=\n *\n|$)", lambda match: "\n" * match[0].count("\n"), words, flags=re.DOTALL)
+            yield from sentences(file, words, node.body[0].lineno)
         if id(node) in inner or id(node) in silent:
             continue
         if isinstance(node, ast.JoinedStr):
-            said = "".join(str(value.value) if isinstance(value, ast.Constant) else "§" for value in node.values)
+            words = "".join(str(value.value) if isinstance(value, ast.Constant) else "§" for value in node.values)
         elif isinstance(node, ast.Constant) and isinstance(node.value, str):
-            said = node.value
+            words = node.value
         else:
             continue
-        if " " in said and not re.search(r"\n.*\n|[|\\]", said):
-            yield from sentences(file, said, node.lineno)
+        if " " in words and not re.search(r"\n.*\n|[|\\]", words):
+            yield from sentences(file, words, node.lineno)

@@ -87,20 +87,20 @@ def plain(text: str) -> str:
 
 def read(file: Path = CAST) -> dict[str, Command]:
     """The commands of a cast, by their markers."""
-    found: dict[str, list[Event]] = {}
+    events_by_name: dict[str, list[Event]] = {}
     for line in file.read_text(encoding="utf-8").splitlines()[1:]:
         seconds, kind, text = json.loads(line)
         if kind == "m":
-            found[text] = []
+            events_by_name[text] = []
         else:
-            found[list(found)[-1]].append(Event(seconds, kind, text))
-    return {name: _command(events) for name, events in found.items()}
+            events_by_name[list(events_by_name)[-1]].append(Event(seconds, kind, text))
+    return {name: _command(events) for name, events in events_by_name.items()}
 
 
 def _command(events: list[Event]) -> Command:
     first, *others = events
-    said = tuple(Event(round(event.seconds - first.seconds, 2), event.kind, event.text) for event in others)
-    return Command(plain(first.text).removeprefix("$ ").strip(), said)
+    events_after = tuple(Event(round(event.seconds - first.seconds, 2), event.kind, event.text) for event in others)
+    return Command(plain(first.text).removeprefix("$ ").strip(), events_after)
 
 
 def written(commands: Mapping[str, Command]) -> str:
@@ -115,10 +115,10 @@ def written(commands: Mapping[str, Command]) -> str:
     lines, now = [json.dumps(header)], 0.0
     for name, command in commands.items():
         begun = Event(now, "o", f"\x1b[1m$ {command.typed}\x1b[0m\r\n")
-        said = [Event(now + event.seconds, event.kind, event.text) for event in command.events]
-        for event in (Event(now, "m", name), begun, *said):
+        events = [Event(now + event.seconds, event.kind, event.text) for event in command.events]
+        for event in (Event(now, "m", name), begun, *events):
             lines.append(json.dumps([round(event.seconds, 2), event.kind, event.text], ensure_ascii=False))
-        now = (said or [begun])[-1].seconds + THINKING
+        now = (events or [begun])[-1].seconds + THINKING
     return "\n".join(lines) + "\n"
 
 
@@ -184,22 +184,22 @@ def record(names: list[str]) -> dict[str, Command]:
         package(home)
         for name in names:
             if name == "run":
-                made = image(commands["containerize"])
+                reference = image(commands["containerize"])
                 with engine.running() as docker:
-                    variables = handed(docker, made)
-                    commands[name] = recorded(f"./rosml run {made} {COMMANDS[name]}", home, variables)
+                    variables = handed(docker, reference)
+                    commands[name] = recorded(f"./rosml run {reference} {COMMANDS[name]}", home, variables)
             else:
                 commands[name] = recorded(COMMANDS[name], home, {})
     return {name: commands[name] for name in COMMANDS}
 
 
-def handed(docker: engine.Engine, made: str) -> dict[str, str]:
+def handed(docker: engine.Engine, reference: str) -> dict[str, str]:
     """Variables for the engine. One that the tests started cannot pull what is compressed by zstd, so it gets the image."""
     if not docker.host:
         return {}
     with tempfile.TemporaryDirectory() as folder:
-        name = docker.load(Services.load(ROOT), made, "recording", Path(folder))
-    tagged = docker.docker("tag", name, made)
+        name = docker.load(Services.load(ROOT), reference, "recording", Path(folder))
+    tagged = docker.docker("tag", name, reference)
     assert tagged.code == 0, tagged.err
     return {"DOCKER_HOST": docker.host}
 
@@ -212,8 +212,8 @@ _STEP = re.compile(r"^(?: +\d+:\d\d +)?(?:[\d.]+ s|CACHED) +\[\S+ \S+ \d+/\d+\] 
 def steps(output: str) -> set[str]:
     """The steps of a build that took long enough to be printed, or those of its log. Each is cut as it is printed, and lacks the
     target that came first."""
-    found = (match[0].partition("[")[2].partition(" ")[2].rstrip("…") for match in _STEP.finditer(output))
-    return {Step(f"[{step}").label.removeprefix("[") for step in found}
+    names = (match[0].partition("[")[2].partition(" ")[2].rstrip("…") for match in _STEP.finditer(output))
+    return {Step(f"[{step}").label.removeprefix("[") for step in names}
 
 
 _CHANGES = re.compile(

@@ -45,7 +45,7 @@ def regctl(services: Services, *arguments: str) -> str:
         RosmlError: regctl failed, or the registry does not answer.
     """
     loopback = dict.fromkeys(
-        found[0] for argument in arguments if (found := LOOPBACK.match(argument)) and not certificates.of(found[0])
+        match[0] for argument in arguments if (match := LOOPBACK.match(argument)) and not certificates.of(match[0])
     )
     plain = [option for host in loopback for option in ("--host", f"reg={host},tls=disabled")]
     command = [program(services), *arguments, *plain]

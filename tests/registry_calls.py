@@ -43,9 +43,9 @@ def image(client: Registry, repository: str, text: str, tag: str = "") -> str:
 
 def attach(client: Registry, repository: str, subject: str, kind: str, text: str) -> str:
     """Attaches an artifact to an image; gives its digest."""
-    found = client.manifest(repository, subject)
-    assert found
-    return client.attach(repository, found.descriptor, kind, text.encode(), "text/plain", {"said": text})
+    manifest = client.manifest(repository, subject)
+    assert manifest
+    return client.attach(repository, manifest.descriptor, kind, text.encode(), "text/plain", {"said": text})
 
 
 def attached(client: Registry, repository: str, subject: str, kind: str = "") -> list[str]:
@@ -62,7 +62,7 @@ def an_empty_place(client: Registry, repository: str) -> None:
 
 
 @call
-def a_blob_that_is_not_there(client: Registry, repository: str) -> None:
+def an_absent_blob(client: Registry, repository: str) -> None:
     with pytest.raises(RosmlError):
         client.blob(repository, NOWHERE)
 
@@ -79,9 +79,9 @@ def a_blob(client: Registry, repository: str) -> None:
 def an_image_under_a_tag(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one", "latest")
     for reference in ("latest", digest):
-        found = client.manifest(repository, reference)
-        assert found and (found.digest, found.media_type, found.is_index) == (digest, oci.IMAGE, False)
-        assert found.size > 100 and found.content["layers"][0]["size"] == 3
+        manifest = client.manifest(repository, reference)
+        assert manifest and (manifest.digest, manifest.media_type, manifest.is_index) == (digest, oci.IMAGE, False)
+        assert manifest.size > 100 and manifest.content["layers"][0]["size"] == 3
         assert client.head(repository, reference) == digest
     assert client.tags(repository) == ["latest"]
 
@@ -96,9 +96,9 @@ def an_image_without_a_tag(client: Registry, repository: str) -> None:
 @call
 def an_image_by_its_digest(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one")
-    found = client.manifest(repository, digest)
-    assert found
-    assert client.put_manifest(repository, digest, found.content, oci.IMAGE) == digest
+    manifest = client.manifest(repository, digest)
+    assert manifest
+    assert client.put_manifest(repository, digest, manifest.content, oci.IMAGE) == digest
     assert client.tags(repository) == []
 
 
@@ -112,9 +112,9 @@ def a_tag_that_is_put_again_moves(client: Registry, repository: str) -> None:
 @call
 def an_index(client: Registry, repository: str) -> None:
     digest = image(client, repository, "one")
-    found = client.manifest(repository, digest)
-    assert found
-    member = {**found.descriptor, "platform": {"os": "linux", "architecture": "amd64"}}
+    manifest = client.manifest(repository, digest)
+    assert manifest
+    member = {**manifest.descriptor, "platform": {"os": "linux", "architecture": "amd64"}}
     content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": [member], "annotations": {"a": "b"}}
     name = client.put_manifest(repository, "latest", content, oci.INDEX)
     index = client.manifest(repository, "latest")
@@ -174,7 +174,7 @@ def the_last_tag_is_deleted(client: Registry, repository: str) -> None:
 
 
 @call
-def nothing_there_is_deleted_without_an_error(client: Registry, repository: str) -> None:
+def nothing_is_deleted_without_an_error(client: Registry, repository: str) -> None:
     client.delete(repository, NOWHERE)
     client.delete(repository, "latest")
     digest = image(client, repository, "one", "other")
@@ -203,9 +203,13 @@ def what_is_attached(client: Registry, repository: str) -> None:
     assert attached(client, repository, subject, "application/vnd.example.three") == []
     (item,) = client.referrers(repository, subject, OTHER)
     assert item["artifactType"] == OTHER
-    found = client.manifest(repository, one)
-    assert found and found.content["subject"]["digest"] == subject and found.content["annotations"] == {"said": "x"}
-    assert client.blob(repository, found.content["layers"][0]["digest"]) == b"x"
+    manifest = client.manifest(repository, one)
+    assert (
+        manifest
+        and manifest.content["subject"]["digest"] == subject
+        and manifest.content["annotations"] == {"said": "x"}
+    )
+    assert client.blob(repository, manifest.content["layers"][0]["digest"]) == b"x"
 
 
 @call

@@ -97,8 +97,8 @@ def proof_phase(name: str) -> Phase:
 def environment() -> dict[str, str]:
     """This process' own, without what would have pytest run other tests or other plugins, or Python compile the same modules
     in each of hundreds of processes."""
-    left_out = ("PYTEST_ADDOPTS", "PYTEST_PLUGINS", "PYTHONDONTWRITEBYTECODE")
-    return {name: value for name, value in os.environ.items() if name not in left_out}
+    dropped = ("PYTEST_ADDOPTS", "PYTEST_PLUGINS", "PYTHONDONTWRITEBYTECODE")
+    return {name: value for name, value in os.environ.items() if name not in dropped}
 
 
 def run(phase: Phase) -> Outcome:
@@ -203,7 +203,7 @@ class Shard(click.ParamType[tuple[int, int]]):
 @click.option(
     "--phase", "phases", type=click.Choice(list(QUICK)), multiple=True, help="Run this part of `make test` alone."
 )
-@click.option("--proof", "wanted", type=click.Choice(list(PROOFS)), multiple=True, help="Run this proof alone.")
+@click.option("--proof", "chosen", type=click.Choice(list(PROOFS)), multiple=True, help="Run this proof alone.")
 @click.option("--check", is_flag=True, help="Only see whether this could run.")
 @click.option("--coverage", is_flag=True, help="Measure what the tests run of rosml/.")
 @click.option("--started", type=float, help="When the set-up began, in seconds since 1970.")
@@ -211,14 +211,14 @@ def main(
     everything: bool,
     shard: tuple[int, int],
     phases: tuple[str, ...],
-    wanted: tuple[str, ...],
+    chosen: tuple[str, ...],
     check: bool,
     coverage: bool,
     started: float | None,
 ) -> None:
     """Runs the suite; set-up comes first: `make test`, `make test-all`."""
-    quick, proofs = not wanted, list(wanted)
-    if everything and not wanted:
+    quick, proofs = not chosen, list(chosen)
+    if everything and not chosen:
         quick, proofs = deal(*shard)
     if check:
         return

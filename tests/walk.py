@@ -13,7 +13,7 @@ from pathlib import Path
 from tests.pages import ROOT, Block, blocks, commands
 
 EXTEND = (ROOT / "docs/extend.md", *sorted((ROOT / "docs/extend").glob("*.md")))
-OWN_SET = ROOT / "docs/own-set.md"
+SET_PAGE = ROOT / "docs/own-set.md"
 NEEDS_NETWORK = ("./rosml locks", "./rosml image", "make image", "gpg ")
 """Steps of the page that are not walked: tests run them with local replacements."""
 
@@ -70,19 +70,19 @@ def run(project: Path, command: str) -> str:
 
 def follow(project: Path, name: str) -> str:
     """Follows a section of docs/extend.md, or of a page below it, block by block; gives what the commands printed."""
-    said = ""
+    output = ""
     for block in section(name):
         if block.title:
             insert(project, block)
         for command in commands(block) if block.language == "sh" else ():
             if not command.startswith(NEEDS_NETWORK):
-                said += run(project, command)
-    return said
+                output += run(project, command)
+    return output
 
 
-def own_set(project: Path) -> str:
+def make_set(project: Path) -> str:
     """Makes a set of a fork, as docs/own-set.md says; gives what the commands printed."""
-    [text] = [block.text for block in blocks(OWN_SET) if block.title == "set.yaml"]
+    [text] = [block.text for block in blocks(SET_PAGE) if block.title == "set.yaml"]
     (project / "set.yaml").write_text(text)
     return run(project, "./rosml generate")
 

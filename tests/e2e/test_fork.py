@@ -32,7 +32,7 @@ def raise_an_action(fork: Path) -> None:
 def test_a_fork_by_the_documentation_passes_its_own_tests(tmp_path: Path) -> None:
     """docs/own-set.md, then docs/nightly.md: an own set, published to an own registry."""
     fork = walk.clone(tmp_path)
-    walk.own_set(fork)
+    walk.make_set(fork)
     changed = [line.split() for line in walk.git(fork, "status", "--porcelain").splitlines()]
     assert ["??", "set.yaml"] in changed
     assert [name for _, name in changed if name.startswith(("tests/", ".github/")) or name == "matrix.yaml"] == []

@@ -25,7 +25,7 @@ HOSTS = {
 """Domains, and the hosts in them that give packages; every host where none is named. Others are web sites."""
 
 
-def found(text: str) -> set[str]:
+def domains_in(text: str) -> set[str]:
     """The domains of package archives that a text names."""
     text = text.replace("\\", "")
     return {
@@ -40,10 +40,10 @@ def test_no_file_of_the_product_names_a_package_archive() -> None:
     names = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=True).stdout.split("\0")
     texts = {name: (ROOT / name).read_text(errors="replace") for name in names if (ROOT / name).is_file()}
     assert len(texts) > 100
-    assert {name: domains for name, text in texts.items() if (domains := found(text))} == {}
+    assert {name: domains for name, text in texts.items() if (domains := domains_in(text))} == {}
 
 
 @pytest.mark.parametrize("domain", HOSTS)
 def test_an_address_is_found(domain: str) -> None:
     host = f"{HOSTS[domain].split('|')[0]}.{domain}".lstrip(".")
-    assert found(f"http://{host}/x") == found(host.replace(".", r"\.")) == {domain}
+    assert domains_in(f"http://{host}/x") == domains_in(host.replace(".", r"\.")) == {domain}

@@ -43,15 +43,15 @@ def test_imports_go_one_way() -> None:
 
 def test_the_picture_shows_the_layers_of_the_contracts() -> None:
     contracts = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["importlinter"]["contracts"]
-    layers = {word for found in contracts for layer in found.get("layers", ()) for word in layer.split(" | ")}
-    order = [found["layers"] for found in contracts if "layers" in found]
+    layers = {word for contract in contracts for layer in contract.get("layers", ()) for word in layer.split(" | ")}
+    order = [contract["layers"] for contract in contracts if "layers" in contract]
     picture = (ROOT / "docs/architecture.md").read_text().partition("```text\n")[2].partition("```")[0]
     shown = re.findall(r"^ *(\w+(?:, \w+)*)  |│  (\w+) ", picture, re.MULTILINE)
     names = [name for pair in shown for name in ", ".join(filter(None, pair)).split(", ")]
     assert sorted(names) == sorted(layers)
-    for found in order:
-        places = [min(names.index(word) for word in layer.split(" | ")) for layer in found]
-        assert places == sorted(places), f"{names} are not in the order of {found}"
+    for contract_layers in order:
+        places = [min(names.index(word) for word in layer.split(" | ")) for layer in contract_layers]
+        assert places == sorted(places), f"{names} are not in the order of {contract_layers}"
 
 
 def test_only_commands_print() -> None:
@@ -60,7 +60,7 @@ def test_only_commands_print() -> None:
     assert printing(files["src/rosml/cli/images/report.py"]) or printing(files["src/rosml/cli/images/tables.py"])
 
 
-def named_parts(text: str, parts: set[str]) -> list[int]:
+def lines_with_parts(text: str, parts: set[str]) -> list[int]:
     """The lines of a Python file that name a part or a release as one."""
     nodes = ast.walk(ast.parse(text))
     return [node.lineno for node in nodes if isinstance(node, ast.Constant) and node.value in parts]
@@ -71,8 +71,8 @@ def test_no_code_knows_which_parts_there_are() -> None:
     matrix = yaml.safe_load((ROOT / "matrix.yaml").read_text())
     parts = {part["name"] for part in matrix["parts"]} - {"cuda"}
     for file in sorted((ROOT / "src/rosml").rglob("*.py")):
-        assert not named_parts(file.read_text(), parts), file
-    assert named_parts('if part == "torch":\n    pass\n', {"torch"}) == [1]
+        assert not lines_with_parts(file.read_text(), parts), file
+    assert lines_with_parts('if part == "torch":\n    pass\n', {"torch"}) == [1]
 
 
 PRODUCT = ("src", "components", "scripts", "tools", "bench")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -33,26 +34,16 @@ def check(program: str, *arguments: str | Path) -> None:
     """Runs a linter in the checkout; fails with all that it says."""
     argv = [str(PROGRAMS / program), *map(str, arguments)]
     environment = {name: value for name, value in os.environ.items() if name != "ROSML_MATRIX"}
-    done = subprocess.run(
-        argv, cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
-    )
+    done = subprocess.run(argv, cwd=ROOT, env=environment, stdin=subprocess.DEVNULL, capture_output=True, text=True)
     if done.returncode != 0:
         pytest.fail(f"{program}:\n{done.stdout}{done.stderr}", pytrace=False)
 
 
 def shell_scripts() -> list[Path]:
     """Every shell script of the project."""
-    return sorted(
-        [
-            *(
-                path
-                for name in (".github", "components", "containerize", "tests", "scripts", "tools")
-                for path in (ROOT / name).rglob("*.*sh")
-            ),
-            ROOT / ".ci/run",
-            ROOT / "rosml",
-        ]
-    )
+    folders = (".github", "components", "containerize", "tests", "scripts", "tools")
+    scripts = [path for name in folders for path in (ROOT / name).rglob("*.*sh")]
+    return sorted([*scripts, ROOT / ".ci/run", ROOT / "rosml"])
 
 
 def test_ruff_check() -> None:
@@ -80,14 +71,14 @@ UNSEEN = re.compile(r"<\(|\[\[ (?:! )?-[nz] \"?\$\(|\bfor \w+ in .*\$\(")
 def test_no_script_of_a_build_takes_a_failure_for_nothing_to_do() -> None:
     folders = ("components", "tests/structure")
     scripts = [path for path in shell_scripts() if path.relative_to(ROOT).as_posix().startswith(folders)]
-    found = [
+    lines = [
         f"{path.relative_to(ROOT)}:{number}: {line.strip()}: give the output a name, or a file, first"
         for path in scripts
         if path.name != "entrypoint.sh"  # it starts a container, with the groups that there are
         for number, line in enumerate(path.read_text().splitlines(), 1)
         if UNSEEN.search(line)
     ]
-    assert not found, "\n".join(found)
+    assert not lines, "\n".join(lines)
     assert UNSEEN.search("mapfile -t names < <(colcon list)") and UNSEEN.search("if [[ -z $(colcon list) ]]; then")
 
 
@@ -95,8 +86,8 @@ def actionlint(*files: Path) -> None:
     """Checks workflows; all of the project's own if none is named."""
     program = shutil.which("actionlint", path=f"{ROOT / '.state/bin'}:{os.environ['PATH']}")
     assert program, "actionlint is not there: make lint builds it"
-    own = r'specifying action "\$/\S+" in invalid format'  # it knows no actions of the workflow's own repository
-    check(program, "-no-color", "-shellcheck", shellcheck(), "-pyflakes", "", "-ignore", own, *files)
+    local = r'specifying action "\$/\S+" in invalid format'  # it knows no actions of the workflow's own repository
+    check(program, "-no-color", "-shellcheck", shellcheck(), "-pyflakes", "", "-ignore", local, *files)
 
 
 def test_actionlint() -> None:
@@ -122,47 +113,14 @@ def test_actionlint_of_the_documentation(page: str, tmp_path: Path) -> None:
 
 
 EXPORTS = {
-    "usual": [
-        "--mws",
-        "-v",
-        "data:/data",
-        "--gpus",
-        '"device=0,1"',
-        "-e",
-        "A=$HOME 'y' \n",
-        "x",
-        "ros2",
-        "launch",
-        "$X",
-    ],
-    "network": [
-        "--ros-network",
-        "--cap-add",
-        "SYS_NICE",
-        "--ulimit",
-        "rtprio=99",
-        "--health-cmd",
-        "true",
-        "x",
-        "y",
-        "1e3",
-    ],
-    "networks": [
-        "--network",
-        "lan",
-        "-p",
-        "80:80",
-        "--mount",
-        "type=tmpfs,dst=/t,tmpfs-mode=1777",
-        "--cpus=1.5",
-        "-m=1g",
-        "x",
-    ],
+    "usual": """--mws -v data:/data --gpus '"device=0,1"' -e "A=$HOME 'y' \n" x ros2 launch $X""",
+    "network": "--ros-network --cap-add SYS_NICE --ulimit rtprio=99 --health-cmd true x y 1e3",
+    "networks": "--network lan -p 80:80 --mount type=tmpfs,dst=/t,tmpfs-mode=1777 --cpus=1.5 -m=1g x",
 }
 """Calls of `rosml run`."""
 
 
-@pytest.mark.parametrize("line", EXPORTS.values(), ids=EXPORTS)
+@pytest.mark.parametrize("line", map(shlex.split, EXPORTS.values()), ids=EXPORTS)
 def test_compose_takes_what_run_exports(line: list[str], tmp_path: Path) -> None:
     """Also what --add makes of a file with others; a file with a wrong word is refused."""
     program = shutil.which("composecheck", path=ROOT / ".state/bin")
@@ -206,9 +164,9 @@ def test_what_init_writes(place: str, tmp_path: Path) -> None:
 def test_what_init_writes_for_a_set(registry: str, tmp_path: Path) -> None:
     """`rosml init --images`: its command and its workflow."""
     image_set = load.load(ROOT / "matrix.yaml", ROOT)
-    found = own_set.chosen(image_set, [], [], registry, "")
+    chosen = own_set.chosen(image_set, [], [], registry, "")
     for address in ("https://github.com/me/rosml", "https://git.example.com/me/rosml"):
-        for name, text in own_set.files(image_set, found, own_set.Upstream(address, "0" * 40)).items():
+        for name, text in own_set.files(image_set, chosen, own_set.Upstream(address, "0" * 40)).items():
             (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
             (tmp_path / name).write_text(text)
         check(shellcheck(), tmp_path / own_set.COMMAND)
@@ -229,9 +187,8 @@ def test_zizmor() -> None:
 def test_hadolint() -> None:
     check("hadolint", "--no-color", ROOT / "Dockerfile", ROOT / "tests/e2e/docker_ros/Dockerfile")
     examples = sorted((ROOT / "examples").rglob("Dockerfile"))
-    check(
-        "hadolint", "--no-color", "--ignore", "DL3008", "--ignore", "DL3013", *examples
-    )  # the newest, as people write it
+    newest = ("--ignore", "DL3008", "--ignore", "DL3013")  # as people write it
+    check("hadolint", "--no-color", *newest, *examples)
 
 
 def test_oxlint() -> None:

@@ -63,27 +63,18 @@ def files() -> list[str]:
 
 
 def uv() -> str:
-    found = shutil.which("uv", path=f"{ROOT / '.state/bin'}:{os.environ['PATH']}")
-    assert found, "uv is not there: make lint installs it"
-    return found
+    program = shutil.which("uv", path=f"{ROOT / '.state/bin'}:{os.environ['PATH']}")
+    assert program, "uv is not there: make lint installs it"
+    return program
 
 
 @pytest.fixture(scope="module")
 def mypy(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder that an older mypy is installed in: today's does not know that Python any more."""
     folder = tmp_path_factory.mktemp("mypy")
-    install = [
-        uv(),
-        "pip",
-        "install",
-        "--quiet",
-        "--require-hashes",
-        "--python",
-        sys.executable,
-        "--target",
-        str(folder),
-    ]
-    subprocess.run([*install, "--requirement", str(ROOT / "tools/oldest-python.txt")], check=True)
+    install = [uv(), "pip", "install", "--quiet", "--require-hashes", "--python", sys.executable]
+    requirements = ["--target", str(folder), "--requirement", str(ROOT / "tools/oldest-python.txt")]
+    subprocess.run([*install, *requirements], check=True)
     return folder
 
 
@@ -100,13 +91,13 @@ def check(mypy: Path, python: str, *names: str) -> str:
 
 def elsewhere(line: str) -> bool:
     """Whether mypy misses a module that is not Python's own: an image has it."""
-    found = re.search(r'library stub for module named "(\w+)', line)
-    return found is not None and found[1] not in sys.stdlib_module_names
+    module = re.search(r'library stub for module named "(\w+)', line)
+    return module is not None and module[1] not in sys.stdlib_module_names
 
 
 def test_types_and_libraries(mypy: Path) -> None:
-    if found := check(mypy, oldest(), *files()):
-        pytest.fail(found, pytrace=False)
+    if errors := check(mypy, oldest(), *files()):
+        pytest.fail(errors, pytrace=False)
 
 
 def generic(name: str) -> bool:
@@ -114,8 +105,8 @@ def generic(name: str) -> bool:
     module, _, attribute = f"builtins.{name}".removeprefix("builtins." if "." in name else "").rpartition(".")
     if module == "typing" or module.partition(".")[0] not in sys.stdlib_module_names:
         return False
-    found = getattr(importlib.import_module(module), attribute, None)
-    return isinstance(found, type) and hasattr(found, "__class_getitem__")
+    value = getattr(importlib.import_module(module), attribute, None)
+    return isinstance(value, type) and hasattr(value, "__class_getitem__")
 
 
 def arguments_that_run(code: str) -> list[str]:
@@ -127,11 +118,9 @@ def arguments_that_run(code: str) -> list[str]:
             called.update({item.asname or item.name: f"{node.module}.{item.name}" for item in node.names})
     kinds = (getattr(node, name, None) for node in nodes for name in ("annotation", "returns"))
     unread = {id(inner) for kind in kinds if kind for inner in ast.walk(kind)}
-    found = [node for node in nodes if isinstance(node, ast.Subscript) and id(node) not in unread]
-    names = {
-        ast.unparse(node): ast.unparse(node.value) for node in found if re.fullmatch(r"[\w.]+", ast.unparse(node.value))
-    }
-    return [whole for whole, name in names.items() if generic(called.get(name, name))]
+    subscripts = [node for node in nodes if isinstance(node, ast.Subscript) and id(node) not in unread]
+    names = {ast.unparse(node): ast.unparse(node.value) for node in subscripts}
+    return [whole for whole, name in names.items() if re.fullmatch(r"[\w.]+", name) and generic(called.get(name, name))]
 
 
 def test_classes_with_arguments() -> None:
@@ -140,11 +129,11 @@ def test_classes_with_arguments() -> None:
         "C[[], str]",
         "dict[str, int]",
     ]
-    assert {name: found for name in files() if (found := arguments_that_run((ROOT / name).read_text()))} == {}
+    assert {name: kinds for name in files() if (kinds := arguments_that_run((ROOT / name).read_text()))} == {}
 
 
 NEWER = {
-    "a type of the language with arguments, which runs": "found = set[str]()\n",
+    "a type of the language with arguments, which runs": "names = set[str]()\n",
     "the same as an alias": "Names = dict[str, int]\n",
     "dictionaries joined": "names = {'a': 1}\nnames |= {'b': 2}\n",
     "a method": "print('abc'.removeprefix('a'))\n",
@@ -171,9 +160,9 @@ def test_files_start() -> None:
     python = [f"{home}/bin/python{oldest()}"] if home else [uv(), "run", "-q", "--no-project", "-p", oldest(), "python"]
     if subprocess.run([*python, "--version"], capture_output=True, check=False).returncode:
         pytest.skip("no Python as old as the oldest one of the matrix is here, nor can it be downloaded")
-    own = " ".join(sys.stdlib_module_names)
+    library = " ".join(sys.stdlib_module_names)
     env = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1", "OUT": "/out", "SITE": "/site", "PYTHON": oldest()}
-    argv = [*python, "-c", STARTS, own, *files()]
+    argv = [*python, "-c", STARTS, library, *files()]
     done = subprocess.run(argv, cwd=ROOT, env=env, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert "components/ros/runtime_packages.py" in done.stdout.split()

@@ -28,8 +28,8 @@ TALLEST = {"README.md": 120, "CHANGELOG.md": 100_000}
 def faults(sentence: Sentence) -> Iterator[str]:
     """What is wrong with a sentence."""
     for pattern, instead, _ in WORDS:
-        if found := re.search(rf"(?<![\w-])(?:{pattern})(?![\w-])", sentence.text, re.IGNORECASE):
-            yield f"{found[0]!r}: write {instead}"
+        if match := re.search(rf"(?<![\w-])(?:{pattern})(?![\w-])", sentence.text, re.IGNORECASE):
+            yield f"{match[0]!r}: write {instead}"
     if (count := len(sentence.text.split())) > LONGEST:
         yield f"{count} words: a sentence has at most {LONGEST}"
 
@@ -70,9 +70,6 @@ def test_each_word_is_found(instead: str, example: str) -> None:
     [
         "A key whose owner signs.",
         "Where to look is in the log.",
-        "Where is the log?",
-        "The builder says where it is.",
-        "Three in a row.",
         "Use the mirror; it is near.",
     ],
 )
@@ -107,8 +104,8 @@ echo "No prose. At all."
 
 
 def test_a_page_is_read_by_sentences() -> None:
-    said = [(s.line, s.text) for s in sentences("page", PAGE)]
-    assert said == [
+    texts = [(s.line, s.text) for s in sentences("page", PAGE)]
+    assert texts == [
         *((1, "A page"), (3, "One § goes on."), (4, "Two [is short]!"), (10, "- An item"), (11, "- Another.")),
         *((13, "a cell"), (15, "one: two"), (15, "three."), (15, "Four"), (17, "Five"), (17, "Six.")),
     ]
@@ -141,8 +138,8 @@ def other():
 
 
 def test_code_is_read_by_messages() -> None:
-    said = {s.text for s in messages("code", CODE)}
-    assert said == {
+    texts = {s.text for s in messages("code", CODE)}
+    assert texts == {
         *("two things here", "a message about", "What it is.", "Does a thing.", "And more of it."),
         *("§ is no name; § letters are few", "name another one"),
     }

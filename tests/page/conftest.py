@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import os
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -34,8 +34,8 @@ NARROW = {"width": 360, "height": 740}
 
 def program() -> str:
     """The browser."""
-    found = next((path for name in BROWSERS if (path := shutil.which(name))), None)
-    return found or pytest.skip(f"no browser is there ({', '.join(BROWSERS)}): python3 scripts/bootstrap.py browser")
+    path = next((path for name in BROWSERS if (path := shutil.which(name))), None)
+    return path or pytest.skip(f"no browser is there ({', '.join(BROWSERS)}): python3 scripts/bootstrap.py browser")
 
 
 @pytest.fixture(scope="session")
@@ -60,8 +60,7 @@ def expect(what: Any) -> Any:
 def tree(page: Any) -> list[tuple[str, str]]:
     """Roles and names in the tree that Chromium hands to a screen reader, in its order."""
     nodes = page.context.new_cdp_session(page).send("Accessibility.getFullAXTree")["nodes"]
-    told = [node for node in nodes if not node["ignored"]]
-    return [(node["role"]["value"], node.get("name", {}).get("value", "")) for node in told]
+    return [(node["role"]["value"], node.get("name", {}).get("value", "")) for node in nodes if not node["ignored"]]
 
 
 def gather(shelf: Shelf) -> Published:
@@ -144,14 +143,35 @@ class Windows:
         self.opened.append((context, window))
         return window
 
+    def close(self) -> None:
+        for context, opened in self.opened:
+            context.close()
+            assert opened.complaints == []
+            if not any(address.startswith("http://127.0.0.1") for address in opened.requests):
+                assert opened.outside() == []
+                assert opened.requests
+
 
 @pytest.fixture
 def window(browser: Any, folder: Path) -> Iterator[Windows]:
     windows = Windows(browser, folder)
     yield windows
-    for context, opened in windows.opened:
-        context.close()
-        assert opened.complaints == []
-        if not any(address.startswith("http://127.0.0.1") for address in opened.requests):
-            assert opened.outside() == []
-            assert opened.requests
+    windows.close()
+
+
+PageOf = Callable[..., Windows]
+
+
+@pytest.fixture
+def page_of(browser: Any, tmp_path: Path) -> Iterator[PageOf]:
+    """Writes the page of a catalogue, and opens windows of it."""
+    opened: list[Windows] = []
+
+    def write(published: Published, *sboms: Any) -> Windows:
+        site.write(tmp_path / "page", published, *sboms)
+        opened.append(Windows(browser, tmp_path / "page"))
+        return opened[-1]
+
+    yield write
+    for windows in opened:
+        windows.close()

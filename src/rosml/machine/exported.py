@@ -49,10 +49,7 @@ def output(archive: Path) -> str:
 
 
 def unpack(
-    archive: Path,
-    folder: Path,
-    select: Callable[[PurePosixPath], bool] = lambda path: True,
-    limits: Limits = TESTS,
+    archive: Path, folder: Path, select: Callable[[PurePosixPath], bool] = lambda path: True, limits: Limits = TESTS
 ) -> dict[str, str]:
     """Writes the files of an archive for which `select` holds into a folder, whose former content it removes.
 

@@ -52,10 +52,6 @@ def test_a_document_of_wrong_items_costs_little(name: str) -> None:
             assert error.error_count() <= MOST
 
 
-def test_registries_send_documents() -> None:
-    assert "rosml.registry.documents.Index" in SHAPES
-
-
 class Item(Shape):
     size: int
 

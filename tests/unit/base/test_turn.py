@@ -39,12 +39,6 @@ def test_one_after_the_other(tmp_path: Path, killed: bool) -> None:
     assert (notices, other.exitcode) == (["waits"], -9 if killed else 0)
 
 
-def test_nobody_to_wait_for(tmp_path: Path) -> None:
-    for name in ("a", "b", "a"):
-        with turn(tmp_path / name, lambda: pytest.fail("waits")):
-            pass
-
-
 def test_a_lock_keeps_no_option(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "argv", ["rosml", "dev", "folder", "-e", "TOKEN=secret", "--", "colcon"])
     with turn(tmp_path / "lock", lambda: None):

@@ -30,21 +30,21 @@ LAYER = "application/vnd.oci.image.layer.v1.tar+gzip"
 def layer(name: str) -> bytes:
     """An uncompressed layer with one file of some kB."""
     out = io.BytesIO()
-    with tarfile.open(fileobj=out, mode="w") as found:
+    with tarfile.open(fileobj=out, mode="w") as opened:
         entry = tarfile.TarInfo(name)
         entry.size = 5000
-        found.addfile(entry, io.BytesIO(name.encode() * 5000))
+        opened.addfile(entry, io.BytesIO(name.encode() * 5000))
     return out.getvalue()
 
 
 def nightly(changed: bytes, size: int = 400_000) -> bytes:
     """A larger layer, of which one file changes."""
     out = io.BytesIO()
-    with tarfile.open(fileobj=out, mode="w") as found:
+    with tarfile.open(fileobj=out, mode="w") as opened:
         for name, data in {"usr/lib/x": Random(size).randbytes(size), "usr/y": changed}.items():
             entry = tarfile.TarInfo(name)
             entry.size = len(data)
-            found.addfile(entry, io.BytesIO(data))
+            opened.addfile(entry, io.BytesIO(data))
     return out.getvalue()
 
 
@@ -84,10 +84,14 @@ class Shop:
         for tag, names in IMAGES.items():
             entries = []
             for architecture in (self.here, "riscv64"):
-                told = config(tag, architecture)
-                registry.put_blob("t", told)
+                image_config = config(tag, architecture)
+                registry.put_blob("t", image_config)
                 layers = [oci.descriptor(media_type(name), PACKED[name]) for name in names]
-                content = {"schemaVersion": 2, "mediaType": oci.IMAGE, "config": oci.descriptor(oci.CONFIG, told)}
+                content = {
+                    "schemaVersion": 2,
+                    "mediaType": oci.IMAGE,
+                    "config": oci.descriptor(oci.CONFIG, image_config),
+                }
                 data = json.dumps({**content, "layers": layers}, indent=3).encode()
                 registry.put_manifest("t", "", data, oci.IMAGE)
                 platform = {"os": "linux", "architecture": architecture}
@@ -105,8 +109,8 @@ class Shop:
 
     def save(self, tag: str, *have: str, file: str = "saved.tar") -> Path:
         """Saves an image."""
-        given = [word for name in have for word in ("--have", self.name(name))]
-        assert self.call("save", self.name(tag), *given, "-o", self.folder / file) == 0
+        options = [word for name in have for word in ("--have", self.name(name))]
+        assert self.call("save", self.name(tag), *options, "-o", self.folder / file) == 0
         return self.folder / file
 
     def engine(self, kind: str, *tags: str) -> None:
@@ -192,13 +196,13 @@ def as_saved(kind: str, tag: str, architecture: str, file: Path) -> None:
 
 def names_in(file: Path) -> list[str]:
     """The names in an archive."""
-    with tarfile.open(file) as found:
-        return found.getnames()
+    with tarfile.open(file) as opened:
+        return opened.getnames()
 
 
 def blobs_in(file: Path) -> dict[str, bytes]:
     """The blobs of an archive by their digests, each of which has that digest."""
-    found = {}
+    blobs = {}
     with tarfile.open(file) as opened:
         for entry in opened:
             if entry.name.startswith("blobs/"):
@@ -206,14 +210,14 @@ def blobs_in(file: Path) -> dict[str, bytes]:
                 assert stream
                 data = stream.read()
                 assert oci.digest_of(data) == entry.name.removeprefix("blobs/").replace("/", ":")
-                found[oci.digest_of(data)] = data
-    return found
+                blobs[oci.digest_of(data)] = data
+    return blobs
 
 
 def text_in(file: Path, name: str) -> Any:
     """A JSON text of an archive."""
-    with tarfile.open(file) as found:
-        stream = found.extractfile(name)
+    with tarfile.open(file) as opened:
+        stream = opened.extractfile(name)
         assert stream
         return json.loads(stream.read())
 
@@ -223,18 +227,18 @@ def require_whole(file: Path, tag: str, held: str = "") -> None:
     blobs = blobs_in(file)
     (entry,) = text_in(file, archive.INDEX)["manifests"]
     manifest = json.loads(blobs[entry["digest"]])
-    (told,) = text_in(file, archive.DOCKER)
-    assert [archive.path(found["digest"]) for found in manifest["layers"]] == told["Layers"]
-    assert told["Config"] == archive.path(manifest["config"]["digest"])
+    (listed,) = text_in(file, archive.DOCKER)
+    assert [archive.path(entry_of_layer["digest"]) for entry_of_layer in manifest["layers"]] == listed["Layers"]
+    assert listed["Config"] == archive.path(manifest["config"]["digest"])
     assert manifest["config"]["digest"] in blobs
-    for found, name in zip(manifest["layers"], IMAGES[tag], strict=True):
+    for entry_of_layer, name in zip(manifest["layers"], IMAGES[tag], strict=True):
         if name in held:
-            assert found["digest"] not in blobs
+            assert entry_of_layer["digest"] not in blobs
             continue
-        data = blobs[found["digest"]]
-        assert found["size"] == len(data)
+        data = blobs[entry_of_layer["digest"]]
+        assert entry_of_layer["size"] == len(data)
         assert b"".join(archives.unpacked([data])) == PLAIN[name]
-        assert found["mediaType"].endswith("tar") == (data == PLAIN[name])
+        assert entry_of_layer["mediaType"].endswith("tar") == (data == PLAIN[name])
 
 
 def image(steps: str, *layers: str) -> Source:
@@ -244,8 +248,8 @@ def image(steps: str, *layers: str) -> Source:
     history = [{"created_by": f"RUN {name}"} if name != "." else {"empty_layer": True} for name in steps]
     diff_ids = [oci.digest_of(name.encode()) for name in layers]
     facts: dict[str, Any] = {"history": history, "rootfs": {"diff_ids": diff_ids}}
-    known = oci.Config(facts, documents.Config.model_validate(facts))
-    return Source(steps, "h", "r", oci.digest_of(steps.encode()), oci.Manifest(content, "", oci.IMAGE, 1), known)
+    image_config = oci.Config(facts, documents.Config.model_validate(facts))
+    return Source(steps, "h", "r", oci.digest_of(steps.encode()), oci.Manifest(content, "", oci.IMAGE, 1), image_config)
 
 
 CONFIG = config("app", "amd64")
@@ -304,9 +308,9 @@ def sparse(body: bytes) -> bytes:
 def changed(file: Path, annotations: dict[str, str], more: Files = {}) -> Path:  # noqa: B006
     """An archive with other annotations and files. One that is empty goes."""
     files: Files = {}
-    with tarfile.open(file) as found:
-        for entry in found:
-            stream = found.extractfile(entry)
+    with tarfile.open(file) as opened:
+        for entry in opened:
+            stream = opened.extractfile(entry)
             assert stream
             files[entry.name] = stream.read()
     content = json.loads(files[archive.INDEX])

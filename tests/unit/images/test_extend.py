@@ -124,7 +124,7 @@ def test_a_step_that_is_left_out_is_told(project: Path) -> None:
 
 def test_a_set_of_ones_own(project: Path) -> None:
     """In a fork: what is generated is of the set."""
-    said = walk.own_set(project)
+    said = walk.make_set(project)
     assert "docker-bake.hcl: written" in said and "warning" not in said
     assert "noetic" not in (project / "docs/tags.md").read_text().partition("<!-- images:")[2]
     made = load.load(project / "set.yaml", project)

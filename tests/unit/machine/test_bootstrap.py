@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import fcntl
 import json
 import os
 import re
-import shlex
 import shutil
 import signal
 import subprocess
@@ -59,14 +57,6 @@ def uv(bare: Bootstrap, version: str) -> Path:
 
 def test_its_commands_are_those_of_rosml(bare: Bootstrap) -> None:
     assert bare.module.COMMANDS.keys() - {"python"} == setup.main.commands.keys()
-
-
-def test_its_help(bare: Bootstrap) -> None:
-    done = bare("--help")
-    assert done.returncode == 0 and done.stdout.startswith("usage: rosml setup")
-    lines = [line for line in done.stdout.partition("Examples:\n")[2].splitlines() if line.strip()]
-    assert len(lines) > 1
-    assert {shlex.split(line)[2] for line in lines} <= bare.module.COMMANDS.keys()
 
 
 @pytest.mark.parametrize("arguments", [[], ["upp"]])
@@ -269,8 +259,3 @@ def test_what_cannot_be_removed_is_named(ready: Bootstrap, monkeypatch: pytest.M
         ready.module.clean()
     message, remedy = caught.value.args
     assert message == f"cannot remove all of {ready.root}/.state" and "sudo rm -rf" in remedy
-
-
-def test_the_lock_is_that_of_other_set_ups(bare: Bootstrap) -> None:
-    with bare.module.lock(), (bare.root / ".state/run/lock").open("a") as other, pytest.raises(BlockingIOError):
-        fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)

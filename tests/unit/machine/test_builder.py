@@ -202,7 +202,7 @@ def test_a_look_into_an_image_has_no_line_for_each_file(
     assert len(progress.steps) == 9 and capfd.readouterr().err == ""
 
 
-@pytest.mark.parametrize("content", ["", "{", "{}", '{"b": {"containerimage.digest": "x"}}', "[]", '{"a": null}'])
+@pytest.mark.parametrize("content", ["", "{", '{"b": {"containerimage.digest": "x"}}', "[]", '{"a": null}'])
 def test_metadata_without_the_target(tmp_path: Path, registry: str, bake: Bake, content: str) -> None:
     file = tmp_path / ".state/log/build-a.metadata.json"
     file.parent.mkdir(parents=True)
@@ -221,16 +221,10 @@ def fails(tmp_path: Path, registry: str, bake: Bake, *lines: str) -> RosmlError:
 
 
 def test_failure_shows_the_step_and_its_last_lines(tmp_path: Path, registry: str, bake: Bake) -> None:
-    error = fails(
-        tmp_path,
-        registry,
-        bake,
-        vertex("[a other 1/1] RUN x", completed=f"{DAY}12Z", error="Canceled: context canceled"),
-        vertex(),
-        prints("UmVhZGluZwpFOiBubyBwYWNrYWdlIHJvcy1jb3JlCg=="),
-        vertex(completed=f"{DAY}12Z", error="process did not complete successfully: exit code: 100"),
-        "ERROR: target a: failed to solve",
-    )
+    cancelled = vertex("[a other 1/1] RUN x", completed=f"{DAY}12Z", error="Canceled: context canceled")
+    output = prints("UmVhZGluZwpFOiBubyBwYWNrYWdlIHJvcy1jb3JlCg==")
+    failed = vertex(completed=f"{DAY}12Z", error="process did not complete successfully: exit code: 100")
+    error = fails(tmp_path, registry, bake, cancelled, vertex(), output, failed, "ERROR: target a: failed to solve")
     assert error.message == (
         "building a failed in step [a ros 1/2] /run/components/ros/install.sh ros-core\n"
         "    Reading\n    E: no package ros-core\n"
@@ -254,8 +248,6 @@ PUSH = "failed to push {}/a: unexpected status from PUT request to http://x/v2/a
 @pytest.mark.parametrize(
     ("reason", "remedy"),
     [
-        ("write /x: no space left on device", "free some disk space"),
-        ("dial tcp 127.0.0.1:1: connect: connection refused", "run 'rosml setup'"),
         ("failed to dial gRPC", "run 'rosml setup'"),
         ("failed to solve: failed to load LLB: network.host is not allowed", "run 'rosml setup'"),
         (
@@ -271,7 +263,6 @@ PUSH = "failed to push {}/a: unexpected status from PUT request to http://x/v2/a
         (PUSH.format("127.0.0.1:1", "500 Internal Server Error").replace("x/v2", "127.0.0.1:1/v2"), ".state/registry"),
         (PUSH.format("ghcr.io", "500 Internal Server Error"), ""),
         ('process "/bin/sh -c x" did not complete successfully: exit code: 137', "--parallel-jobs"),
-        ('process "/bin/sh -c x" did not complete successfully: cannot allocate memory', "--parallel-jobs"),
         ('process "/bin/sh -c x" did not complete successfully: exit code: 1', ""),
     ],
 )
@@ -296,10 +287,7 @@ def printed(*lines: str, name: str = NAME) -> BuildProgress:
 PRINTED = [
     ("No space left on device (28)", "free some disk space"),
     ("error: a program was killed (Killed); memory may have run out", "--parallel-jobs"),
-    ("Could not resolve host: example.org", "package indexes"),
-    ("Temporary failure resolving 'example.org'", "Debian's mirrors"),
     ("E: Failed to fetch x.deb", "run it again"),
-    ("error sending request for url", "run it again"),
     ("curl: (7) Failed to connect to 127.0.0.1 port 1: Connection refused", "HTTP_PROXY"),
     ("Hash mismatch for `x`", "rosml locks"),
     ("error: HTTP status client error (403 Forbidden) for url (https://example.org/simple/torch/)", "its address"),

@@ -105,7 +105,7 @@ def submodule(origin: Path, folder: Path) -> Path:
     return around / "module"
 
 
-def named_like_files_of_git(origin: Path, folder: Path) -> Path:
+def with_names_of_git(origin: Path, folder: Path) -> Path:
     clone(origin, folder)
     (folder / "HEAD").write_text("x")
     (folder / "sub/.git").mkdir()
@@ -124,7 +124,7 @@ def of_sha256(origin: Path, folder: Path) -> Path:
 
 @pytest.mark.parametrize(
     "make",
-    [clone, shallow, worktree, submodule, named_like_files_of_git, signed, of_sha256],
+    [clone, shallow, worktree, submodule, with_names_of_git, signed, of_sha256],
     ids=lambda make: make.__name__,
 )
 def test_what_an_honest_repository_has(tmp_path: Path, make: Callable[[Path, Path], Path]) -> None:
@@ -212,11 +212,11 @@ def test_settings_of_a_repository_start_nothing(
     tmp_path: Path, program: Path, prepare: Callable[[Path, Path], None]
 ) -> None:
     folder = repository(tmp_path / "a")
-    own_commit = head(folder)
+    first_commit = head(folder)
     prepare(folder, program)
     commit = git.commit(folder)
     assert not ran(program)
-    assert commit is None or (commit.time == TIME and commit != own_commit), "it has another commit, or none"
+    assert commit is None or (commit.time == TIME and commit != first_commit), "it has another commit, or none"
 
 
 def bare(folder: Path, program: Path) -> Path:

@@ -12,13 +12,6 @@ from rosml.base.errors import RosmlError
 from rosml.machine.services import Services
 
 
-def test_load(tmp_path: Path) -> None:
-    services = load(tmp_path)
-    assert services.buildx == ("docker", "buildx")
-    assert services.buildx_config == Path("/x/.state/buildx")
-    assert load(tmp_path, buildx_config=None).buildx_config is None
-
-
 def test_not_up(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match="not up") as caught:
         Services.load(tmp_path)
@@ -72,12 +65,6 @@ def test_registry_answers(tmp_path: Path, registry: str, monkeypatch: pytest.Mon
     monkeypatch.setenv("http_proxy", "http://127.0.0.1:1")  # a proxy could not reach loopback
     services = load(tmp_path, registry=registry)
     services.require_registry()
-
-
-def test_registry_is_down(tmp_path: Path) -> None:
-    with pytest.raises(RosmlError, match=r"127\.0\.0\.1:1 does not answer") as caught:
-        load(tmp_path).require_registry()
-    assert caught.value.remedy == "run 'rosml setup'"
 
 
 @pytest.mark.parametrize(

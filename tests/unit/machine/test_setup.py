@@ -11,7 +11,6 @@ import pytest
 from click.testing import CliRunner
 
 from fakes.setups import new_state, program, services_of
-from fakes.workflows import accepted
 from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.machine import setup as commands
@@ -81,13 +80,6 @@ def test_a_call_by_people_begins_with_uv_and_packages(
     monkeypatch.setattr(sys, "argv", ["rosml", "setup", *typed])
     CliRunner().invoke(main.cli, ["setup", *typed], catch_exceptions=False)
     assert called == [sys.executable, str(tmp_path / "scripts/bootstrap.py"), *(typed or ["up"])]
-
-
-def test_help_has_an_example() -> None:
-    examples = CliRunner().invoke(main.cli, ["setup", "--help"]).output.partition("Examples:\n")[2].partition("\n\n")[0]
-    assert len(examples.splitlines()) > 1
-    for line in examples.splitlines():
-        accepted(commands.main, line.split()[2:] or ["up"])
 
 
 def test_status_after_the_services_died(state: State, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -65,19 +65,6 @@ def test_no_link_is_broken(page: Path) -> None:
     assert {link: wrong for link in links(page) if (wrong := broken(page, link))} == {}
 
 
-@pytest.mark.parametrize(
-    ("link", "wrong"),
-    [
-        ("docs/nothing.md", "no such file"),
-        ("docs/contract.md#start", ""),
-        ("docs/contract.md#stop", "no heading for #stop"),
-        ("http://example.org/", "no https address"),
-    ],
-)
-def test_a_broken_link_is_found(link: str, wrong: str) -> None:
-    assert broken(ROOT / "README.md", link) == wrong
-
-
 # ---- The site --------------------------------------------------------------------------------------------------------
 
 

@@ -74,24 +74,6 @@ def test_each_package_has_one_version_and_hashes(name: str) -> None:
         assert re.search(r"--hash=sha256:[0-9a-f]{64}", block), block
 
 
-def test_what_is_asked_for_is_there() -> None:
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-    groups = project["dependency-groups"]
-    requirements_of = {"app": project["project"]["dependencies"]}
-    requirements_of["build"] = [*requirements_of["app"], *groups["build"]]
-    assert project["build-system"]["requires"] == groups["build"]
-    requirements_of["dev"] = [
-        *requirements_of["build"],
-        *groups["docs"],
-        *(item for item in groups["dev"] if isinstance(item, str)),
-    ]
-    requirements_of["page"] = [*requirements_of["dev"], *groups["page"]]
-    for name in FILES:
-        pins = set(re.findall(r"^([\w.-]+==\S+)", requirements(name), re.MULTILINE))
-        names = (item.lower().partition(";")[0].partition("==") for item in requirements_of[name])
-        assert {re.sub("[._]", "-", package) + "".join(rest) for package, *rest in names} <= pins
-
-
 def test_they_agree_with_one_another() -> None:
     """So that a machine that has one of them changes no version for the next."""
     app, build, dev, page = (set(re.findall(r"^[\w.-]+==\S+", requirements(name), re.MULTILINE)) for name in FILES)

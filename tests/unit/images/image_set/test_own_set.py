@@ -363,7 +363,7 @@ def test_each_command_of_a_night_reads_the_set(tmp_path: Path, real: ImageSet, u
 
 
 def test_gitlabs_job_fails_with_the_night_and_keeps_its_log(tmp_path: Path) -> None:
-    [text] = [block.text for block in blocks(walk.OWN_SET) if block.title == ".gitlab-ci.yml of a set"]
+    [text] = [block.text for block in blocks(walk.SET_PAGE) if block.title == ".gitlab-ci.yml of a set"]
     job = yaml.safe_load(text)["night"]
     (tmp_path / own_set.NIGHT).write_text("echo built >&2; exit 3\n")
     done = subprocess.run(["bash", "-ec", "\n".join(job["script"])], cwd=tmp_path, capture_output=True, check=False)

@@ -199,11 +199,6 @@ def test_daemon_that_cannot_be_run(state: State) -> None:
         Daemon(state, "x", ("/nowhere/at/all",), config, {}).start()
 
 
-def test_command_line_of_nobody() -> None:
-    assert command_line(2**22 + 1) == ()
-    assert command_line(os.getpid())
-
-
 # ---- The registry ----------------------------------------------------------------------------------------------------
 
 
@@ -262,11 +257,6 @@ def test_run_shows_signs_of_life(
     monkeypatch.setattr(process, "HEARTBEAT_SECONDS", 0.1)
     process.run(print, process.Call("nap", ["sleep", "0.25"], tmp_path / "log"))
     assert "  nap: still at work (0.1 s)\n" in capsys.readouterr().out
-
-
-def test_run_of_a_missing_program(tmp_path: Path) -> None:
-    with pytest.raises(RosmlError, match="cannot run nothing-like-this"):
-        process.run(print, process.Call("x", ["nothing-like-this"], tmp_path / "log"))
 
 
 def test_interrupt_ends_what_runs(tmp_path: Path) -> None:

@@ -154,17 +154,6 @@ def test_a_failure_of_apt_ends_the_setup(state: State, bare: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("kind", "hub", "installed", "missing"),
-    [("buildkitd", False, [], ["runc", "mmdebstrap"]), ("buildkitd", True, ["crun"], []), ("docker", True, [], [])],
-)
-def test_packages_of_a_builder(
-    monkeypatch: pytest.MonkeyPatch, kind: str, hub: bool, installed: list[str], missing: list[str]
-) -> None:
-    monkeypatch.setattr(tools, "which_system", lambda name: name if name in installed else None)
-    assert list(tools.missing_packages(kind, hub)) == missing
-
-
-@pytest.mark.parametrize(
     ("answers", "installed", "missing"),
     [(True, ["google-chrome"], []), (False, ["dockerd", "chromium"], []), (False, [], ["docker.io", "chromium"])],
 )
@@ -306,11 +295,3 @@ def test_go_build_needs_disk(state: State, go: Path, monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(installer, "BUILD_BYTES", 10**18)
     with pytest.raises(RosmlError, match="of disk are free"):
         Installer(state).go_program("regctl")
-
-
-def test_later_steps_of_a_job_find_the_tools(state: State, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv("GITHUB_PATH", raising=False)
-    Installer(state).report()
-    monkeypatch.setenv("GITHUB_PATH", str(tmp_path / "path"))
-    Installer(state).report()
-    assert (tmp_path / "path").read_text() == f"{state.bin}\n"

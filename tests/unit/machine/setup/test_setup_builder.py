@@ -426,11 +426,6 @@ def test_build_steps_of_a_killed_builder(monkeypatch: pytest.MonkeyPatch) -> Non
     assert not builder.is_build_step(1, Path("/a b/.state/build"))
 
 
-def test_no_other_process_is_a_build_step(state: State) -> None:
-    assert not builder.is_build_step(os.getpid(), state.folder / "buildkit")
-    assert not builder.is_build_step(2**22 + 1, state.folder / "buildkit")
-
-
 def test_mount_points_are_read_as_the_kernel_writes_them(monkeypatch: pytest.MonkeyPatch) -> None:
     text = "overlay /a\\040b/.state/buildkit/x overlay rw 0 0\nproc /proc proc rw 0 0\n"
     monkeypatch.setattr(Path, "read_text", lambda self: text)
