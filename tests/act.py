@@ -57,32 +57,22 @@ ENDS = ("success", "failure")
 
 @dataclass
 class Played:
-    """A run that ended.
+    """A run that ended; by job, unless a comment says otherwise."""
 
-    Attributes:
-        results: of jobs: success, failure or skipped; failure where one of a matrix failed.
-        matrix: the members of each job's matrix that ran, in no order; one without any of a job that has none.
-        steps: results of steps by name, by job; of those that ran.
-        commands: calls of make and ./rosml, by job, in their order; words as the program gets them.
-        artifacts: folder with a folder for each artifact. caches: keys and paths that were asked for or kept.
-        log: all that act said.
-    """
-
-    results: dict[str, str] = field(default_factory=dict)
-    matrix: dict[str, list[Any]] = field(default_factory=dict)
-    steps: dict[str, dict[str, str]] = field(default_factory=dict)
-    commands: dict[str, list[str]] = field(default_factory=dict)
-    artifacts: Path = Path()
-    caches: tuple[str, ...] = ()
+    results: dict[str, str] = field(
+        default_factory=dict
+    )  # success, failure or skipped; failure where one of a matrix failed
+    matrix: dict[str, list[Any]] = field(
+        default_factory=dict
+    )  # its members that ran, in no order; one None without a matrix
+    steps: dict[str, dict[str, str]] = field(default_factory=dict)  # results of those that ran, by name
+    commands: dict[str, list[str]] = field(default_factory=dict)  # calls of make and ./rosml, in their order
+    artifacts: Path = Path()  # a folder with a folder for each
+    caches: tuple[str, ...] = ()  # keys and paths of the whole run
     log: str = ""
 
 
 def program() -> str:
-    """Path of act.
-
-    Raises:
-        AssertionError: it is not installed.
-    """
     path = Path(sys.executable).parent / "act"
     assert path.exists(), "act is not installed: make lint installs it"
     return str(path)
@@ -122,20 +112,13 @@ def play(
     visibility: str = "",
     called: Mapping[str, str] | None = None,
 ) -> Played:
-    """Runs a workflow.
+    """Runs a workflow in an empty folder. Raises ValueError with act's reasons if it does not understand the workflow.
 
     Args:
-        text: the workflow.
-        folder: an empty one, for all that is made.
         programs: shell scripts that take the place of `make` and `./rosml`, by name; each call is recorded before it.
-        event: what starts it. checkout: what jobs check out besides `./rosml`.
-        repository: owner and name. variables: of the repository. inputs: of a run by hand.
+        checkout: what jobs check out besides `./rosml`. called: workflows that it calls, by the names of their files.
         secrets: of the repository. With ROSML_PASSWORD, that is what logs in; without, the job's own token.
         lost: artifacts that nobody can download. visibility: of the repository, `public` or `private`.
-        called: workflows that it calls, by the names of their files.
-
-    Raises:
-        ValueError: act does not understand the workflow; with its reasons.
     """
     texts = {
         name: re.sub(r"uses: \$/(\S+)", rf"uses: {REPOSITORY}/\1@{COMMIT}", content)

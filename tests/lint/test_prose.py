@@ -109,37 +109,3 @@ def test_a_page_is_read_by_sentences() -> None:
         *((1, "A page"), (3, "One § goes on."), (4, "Two [is short]!"), (10, "- An item"), (11, "- Another.")),
         *((13, "a cell"), (15, "one: two"), (15, "three."), (15, "Four"), (17, "Five"), (17, "Six.")),
     ]
-
-
-CODE = '''\
-"""A module says nothing to users."""
-
-NAME = "a message about " + "two things here"
-"""Nor does this."""
-
-@click.command()
-@click.option("--x", help="What it is.")
-def main(x):
-    """Does a thing.
-
-    \\b
-    Examples:
-      rosml list
-
-    And more of it.
-    """
-    raise RosmlError(f"{x} is no name; {len(x)} letters are few", "name another one")
-    script = "set -e | no prose"
-
-
-def other():
-    """Is no help at all."""
-'''
-
-
-def test_code_is_read_by_messages() -> None:
-    texts = {s.text for s in messages("code", CODE)}
-    assert texts == {
-        *("two things here", "a message about", "What it is.", "Does a thing.", "And more of it."),
-        *("§ is no name; § letters are few", "name another one"),
-    }

@@ -453,7 +453,7 @@ def test_an_image_shows_what_is_inside(window: Windows, published: Published) ->
         parts = section.locator(".scroll").first.locator("tbody th").all_text_contents()
         assert parts == list(platform.parts)
         assert platform.tests and f"{platform.tests.passed} passed" in (section.text_content() or "")
-        summary = "scan passed2 high, 27 medium summary, none of which the policy stops; 525 packages"
+        summary = "scan passed2 high, 27 medium known, none of which the policy stops; 525 packages"
         assert summary in (section.text_content() or "")
 
 
