@@ -16,7 +16,6 @@ from rosml import ROOT
 from rosml.images.scan import judge, packages, policy, sbom
 from rosml.images.scan.judge import Outcome, Part
 from rosml.images.scan.trivy import ScannerFailed, Trivy
-from rosml.machine import trust
 from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registry
@@ -67,7 +66,7 @@ class Place:
         return Registry(self.secure.host)
 
     def trivy(self, folder: Path) -> Trivy:
-        return installed(folder, trust.trusting(self.services))
+        return installed(folder, self.services.trusting())
 
     def put_database(self, folder: Path) -> policy.Rules:
         """Uploads the database; gives a policy that takes it from there."""

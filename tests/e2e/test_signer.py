@@ -11,7 +11,6 @@ import pytest
 
 from rosml import ROOT
 from rosml.images.publish.cosign import Signer, SignerFailed
-from rosml.machine import trust
 from rosml.registry import oci
 from rosml.registry.client import Registry
 from tests.e2e import secure
@@ -43,7 +42,7 @@ def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.Mo
         index = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": []}
         digest = Registry(found.host).put_manifest("images/small", "latest", index, oci.INDEX)
         reference = f"{found.host}/images/small@{digest}"
-        yield Place(found, reference, {**trust.trusting(services), **key})
+        yield Place(found, reference, {**services.trusting(), **key})
 
 
 def test_it_signs_once_and_knows_its_signature(place: Place) -> None:

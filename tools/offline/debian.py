@@ -171,12 +171,12 @@ def isolated(argv: list[str]) -> list[str]:
     return ["unshare", "--mount", "--pid", "--fork", "--kill-child", *argv]
 
 
-def make(services: Services, suite: str, architecture: str, folder: Path, tag: str, lock: int) -> str:
+def make(services: Services, suite: str, architecture: str, folder: Path, tag: str, lock: int = 0) -> str:
     """Makes a Debian image and pushes it. Returns its digest. The tag comes last: an interrupted call leaves none.
 
     Args:
         folder: for its files; removed at the end.
-        lock: the file descriptor of a lock that holds while mmdebstrap runs, even if this process is killed.
+        lock: the file descriptor of a lock that holds while mmdebstrap runs, even if this process is killed; 0 for none.
     """
     if shutil.which("mmdebstrap") is None:
         text = "mmdebstrap is not installed; it makes base images where Docker Hub does not answer"
@@ -192,7 +192,7 @@ def make(services: Services, suite: str, architecture: str, folder: Path, tag: s
         (folder / "tmp").mkdir()
         env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
         argv = isolated(command(suite, architecture, folder / "files", tar))
-        run(say, Call("mmdebstrap", argv, log, env, pass_fds=(lock,)))
+        run(say, Call("mmdebstrap", argv, log, env, pass_fds=(lock,) if lock else ()))
         add_folders(tar)
         manifest, blobs = build_image(tar, tag, architecture)
         digest = push(services, manifest, blobs, tag)

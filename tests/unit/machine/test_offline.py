@@ -147,7 +147,7 @@ FOLDER = ".state/base/bookworm"
 
 
 def make(root: Path, **facts: str) -> str:
-    return debian.make(load(root, **facts), "bookworm", "amd64", root / FOLDER, "bookworm", 2)
+    return debian.make(load(root, **facts), "bookworm", "amd64", root / FOLDER, "bookworm")
 
 
 def test_failed_mmdebstrap_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
