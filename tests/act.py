@@ -172,15 +172,8 @@ def play(
     path = f"{folder / 'programs'}{os.pathsep}{os.environ['PATH']}"
     environment = {**os.environ, "PATH": path, "HOME": str(folder / "home"), "XDG_CACHE_HOME": str(folder / "home")}
     environment["ACT_DISABLE_VERSION_CHECK"] = "1"  # asks a host outside
-    done = subprocess.run(
-        argv,
-        cwd=folder / "repository",
-        env=environment,
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
+    streams: dict[str, Any] = {"stdin": subprocess.DEVNULL, "capture_output": True, "text": True}
+    done = subprocess.run(argv, cwd=folder / "repository", env=environment, check=False, **streams)
     shutil.rmtree(folder / "home", ignore_errors=True)
     log = done.stdout + done.stderr
     wrong = [line for line in log.splitlines() if line.startswith("Error: workflow is not valid") or FATAL in line]

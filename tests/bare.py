@@ -14,11 +14,7 @@ from tests.pages import ROOT
 
 
 class Bootstrap:
-    """A copy of it.
-
-    Attributes:
-        root: the checkout, which is made, and has nothing else. module: the copy, imported.
-    """
+    """A copy of it in `root`, a checkout that is made and has nothing else. `module` is the copy, imported."""
 
     def __init__(self, root: Path) -> None:
         self.root, self.file = root, root / "scripts/bootstrap.py"

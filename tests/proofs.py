@@ -8,18 +8,11 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class Proof:
-    """One or several tests that take too long for every change.
+    """One or several tests that take too long for every change."""
 
-    Attributes:
-        minutes: about how long they take on two cores.
-        needs: commands of scripts/bootstrap.py that set up for them.
-        tests: what pytest runs; the tests with the proof's mark if empty.
-        environment: of that run.
-    """
-
-    minutes: float
-    needs: Sequence[str] = ()
-    tests: Sequence[str] = ()
+    minutes: float  # on two cores
+    needs: Sequence[str] = ()  # commands of scripts/bootstrap.py that set up for them
+    tests: Sequence[str] = ()  # what pytest runs; the tests with the proof's mark if empty
     environment: Mapping[str, str] = field(default_factory=dict)
 
 

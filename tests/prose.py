@@ -16,9 +16,6 @@ class Sentence:
     line: int
     text: str
 
-    def __str__(self) -> str:
-        return f"{self.file}:{self.line}: {self.text}"
-
 
 _FENCE = re.compile(r"^ *(?P<fence>```+).*?^ *(?P=fence) *$", re.MULTILINE | re.DOTALL)
 _COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
@@ -30,13 +27,7 @@ _END = re.compile(r"(?<=[.!?])[)\"*_]*\s+(?=[(\"*_\[]*[\w§])|\x00")
 
 
 def sentences(file: str, text: str, first: int = 1) -> Iterator[Sentence]:
-    """The sentences of a text in Markdown, without its code.
-
-    Args:
-        file: what the text is of.
-        text: the text.
-        first: the number of its first line.
-    """
+    """The sentences of a text in Markdown, without its code. `first` is the number of the text's first line."""
     for pattern in (_FENCE, _COMMENT):
         text = pattern.sub(lambda match: "\n" * match[0].count("\n"), text)
     text = re.sub(r"`+[^`]+`+", lambda match: "§" + "\n" * match[0].count("\n"), text)

@@ -61,12 +61,7 @@ class Event:
 
 @dataclass(frozen=True)
 class Command:
-    """A command that was recorded.
-
-    Attributes:
-        typed: the line after the prompt.
-        events: what it printed, by seconds since it began.
-    """
+    """A command that was recorded: the line after the prompt, and what it printed, by seconds since it began."""
 
     typed: str
     events: tuple[Event, ...]
@@ -105,14 +100,8 @@ def _command(events: list[Event]) -> Command:
 
 def written(commands: Mapping[str, Command]) -> str:
     """The text of a cast."""
-    header = {
-        "version": 2,
-        "width": WIDTH,
-        "height": ROWS,
-        "idle_time_limit": LONGEST,
-        "title": "rosml: a first session",
-    }
-    lines, now = [json.dumps(header)], 0.0
+    size = {"version": 2, "width": WIDTH, "height": ROWS, "idle_time_limit": LONGEST}
+    lines, now = [json.dumps({**size, "title": "rosml: a first session"})], 0.0
     for name, command in commands.items():
         begun = Event(now, "o", f"\x1b[1m$ {command.typed}\x1b[0m\r\n")
         events = [Event(now + event.seconds, event.kind, event.text) for event in command.events]
@@ -126,11 +115,7 @@ def written(commands: Mapping[str, Command]) -> str:
 
 
 def recorded(typed: str, home: Path, environment: Mapping[str, str]) -> Command:
-    """Calls a command on a terminal, in the checkout.
-
-    Args:
-        home: what `~` means.
-    """
+    """Calls a command on a terminal, in the checkout. `home` is what `~` means."""
     child, terminal = pty.fork()
     if not child:
         fcntl.ioctl(1, termios.TIOCSWINSZ, struct.pack("HHHH", ROWS, WIDTH, 0, 0))
@@ -159,11 +144,7 @@ def _chunk(terminal: int) -> bytes:
 
 
 def package(home: Path, fresh: bool = True) -> None:
-    """A package in ~/compass.
-
-    Args:
-        fresh: no build has anything of it in its cache.
-    """
+    """A package in ~/compass. `fresh`: no build has anything of it in its cache."""
     shutil.copytree(ROOT / "examples/ros1", home / "compass")
     (home / "compass/.env").unlink()
     if fresh:

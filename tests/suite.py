@@ -102,7 +102,7 @@ def environment() -> dict[str, str]:
 
 
 def run(phase: Phase) -> Outcome:
-    """Runs a phase; what it says is on the terminal and in a log."""
+    """Runs a phase. Its output is on the terminal and in a log."""
     click.secho(f"==> {phase.name}", bold=True, err=True)
     LOGS.mkdir(parents=True, exist_ok=True)
     name = re.sub(r"[^a-z0-9]+", "-", phase.name)
@@ -110,14 +110,9 @@ def run(phase: Phase) -> Outcome:
     counts.unlink(missing_ok=True)
     started = time.monotonic()
     with log.open("wb") as stream:
-        process = subprocess.Popen(
-            [*phase.command, f"--junitxml={counts}"],
-            cwd=ROOT,
-            env={**environment(), **phase.environment},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-        )
+        argv, env = [*phase.command, f"--junitxml={counts}"], {**environment(), **phase.environment}
+        streams: dict[str, int] = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+        process = subprocess.Popen(argv, cwd=ROOT, env=env, stdin=subprocess.DEVNULL, **streams)
         assert process.stdout
         try:
             while data := os.read(process.stdout.fileno(), 1 << 16):

@@ -100,11 +100,7 @@ def thousand(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @dataclass
 class Window:
-    """A window of the browser, and what happened in it.
-
-    Attributes:
-        page: Playwright's. folder: the page's. complaints: of the console, and errors. requests: addresses.
-    """
+    """A window of the browser, its complaints in the console, and the addresses that it asked for."""
 
     page: Any
     folder: Path
