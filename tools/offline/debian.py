@@ -72,8 +72,8 @@ REMOVE = (
 # mmdebstrap gives them to apt's user only if that user can enter the folder in which the image is made.
 APT_FOLDERS = ("var/cache/apt/archives/partial", "var/lib/apt/lists/partial")
 
-FOLDERS = ("dev",)
-"""Folders that mmdebstrap leaves out. A builder would make them, with the present time."""
+FOLDER = "dev"
+"""What mmdebstrap leaves out. A builder would make it, with the present time."""
 
 
 def ensure(services: Services, image: str, architecture: str = "") -> dict[str, str]:
@@ -129,7 +129,7 @@ def recipe(tag: str, architecture: str) -> str:
     """The digest of everything that decides how an image is made, apart from the suite's packages."""
     suite = tag.removesuffix(f"-{architecture}")
     call = command(suite if suite in MOVING else "SUITE", architecture, Path("F"), Path("O"))
-    text = json.dumps([added_files(suite), FOLDERS, REMOVE, EPOCH, architecture, call])
+    text = json.dumps([added_files(suite), [FOLDER], REMOVE, EPOCH, architecture, call])
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
@@ -193,13 +193,12 @@ def make(services: Services, suite: str, architecture: str, folder: Path, tag: s
         env = {**os.environ, "SOURCE_DATE_EPOCH": str(EPOCH), "TMPDIR": str(folder / "tmp"), "LC_ALL": "C.UTF-8"}
         argv = isolated(command(suite, architecture, folder / "files", tar))
         run(say, Call("mmdebstrap", argv, log, env, pass_fds=(lock,) if lock else ()))
-        add_folders(tar)
+        add_folder(tar)
         manifest, blobs = build_image(tar, tag, architecture)
         digest = push(services, manifest, blobs, tag)
     except RosmlError as error:
-        raise RosmlError(
-            error.message, error.remedy or "check that Debian's mirrors answer, then run it again"
-        ) from None
+        remedy = error.remedy or "check that Debian's mirrors answer, then run it again"
+        raise RosmlError(error.message, remedy) from None
     except (OSError, tarfile.TarError) as error:
         raise RosmlError(f"base image debian:{tag}: {error}", "check the disk (df), then run it again") from None
     finally:
@@ -208,12 +207,11 @@ def make(services: Services, suite: str, architecture: str, folder: Path, tag: s
     return digest
 
 
-def add_folders(tar: Path) -> None:
+def add_folder(tar: Path) -> None:
+    entry = tarfile.TarInfo(f"./{FOLDER}")
+    entry.type, entry.mode, entry.mtime = tarfile.DIRTYPE, 0o755, EPOCH
     with tarfile.open(tar, "a") as archive:
-        for name in FOLDERS:
-            entry = tarfile.TarInfo(f"./{name}")
-            entry.type, entry.mode, entry.mtime = tarfile.DIRTYPE, 0o755, EPOCH
-            archive.addfile(entry)
+        archive.addfile(entry)
 
 
 def write_files(folder: Path, files: dict[str, tuple[int, str]]) -> None:

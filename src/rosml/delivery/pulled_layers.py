@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
@@ -119,17 +119,12 @@ def _steps(image: Source) -> dict[str, str]:
 def delta(image: Source, have: Source | None) -> Delta:
     """What a machine that has one image, if any, pulls for another one."""
     others = [have] if have else []
-    layers, kept = unique(image), shared(image, others)
-    sizes = {True: [0], False: [0]}
-    for digest, layer in layers.items():
-        sizes[digest in kept].append(layer.size)
+    layers, shared_layers = unique(image), shared(image, others)
+    kept = [layers[digest].size for digest in shared_layers]
+    pulled = [layer.size for digest, layer in layers.items() if digest not in shared_layers]
     changed = [layers[digest].size for digest in replaced(image, others)]
-    counts = len(layers) - len(kept), sum(sizes[False]), len(kept), sum(sizes[True]), len(changed), sum(changed)
+    counts = len(pulled), sum(pulled), len(kept), sum(kept), len(changed), sum(changed)
     return Delta(image.platform, have.digest if have else "", image.digest, *counts)
-
-
-def deltas(before: Mapping[str, Source], after: Mapping[str, Source]) -> list[Delta]:
-    return [delta(image, before.get(platform)) for platform, image in sorted(after.items())]
 
 
 def complete(text: str, services: Services, registries: Registries) -> str:

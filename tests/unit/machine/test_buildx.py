@@ -336,13 +336,6 @@ def test_a_script_of_ours_that_knows_the_reason_has_the_last_word(tmp_path: Path
     assert "its address" in builder.failure(bake, printed("Hash mismatch", last_line), tmp_path / "x.log", 1).remedy
 
 
-def test_the_step_that_failed_says_why(tmp_path: Path, bake: Bake) -> None:
-    progress = printed("Temporary failure resolving 'x', another try", "write: no space left on device")
-    progress.feed(vertex("[b 1/1] RUN other", completed=f"{DAY}12Z"))
-    progress.steps["[b 1/1] RUN other"].tail.append("E: Failed to fetch x.deb")
-    assert "free some disk space" in builder.failure(bake, progress, tmp_path / "x.log", 1).remedy
-
-
 def test_the_reason_may_stand_far_above_the_last_lines(tmp_path: Path, bake: Bake) -> None:
     progress = printed("Hash mismatch for `torch==2.10.0`", *(f"  sha256:{number:02d}" for number in range(100)))
     error = builder.failure(bake, progress, tmp_path / "x.log", 1)

@@ -204,7 +204,7 @@ def test_folders_that_are_left_out(tmp_path: Path) -> None:
     tar = tmp_path / "root.tar"
     with tarfile.open(tar, "w") as archive:
         archive.addfile(tarfile.TarInfo("./etc"))
-    debian.add_folders(tar)
+    debian.add_folder(tar)
     with tarfile.open(tar) as archive:
         entries = {entry.name: (entry.isdir(), entry.mode, entry.mtime) for entry in archive}
     assert list(entries) == ["./etc", "./dev"]

@@ -42,7 +42,8 @@ def main(one: str, other: str, platforms: tuple[str, ...], as_json: bool) -> Non
         if missing := [name for name in platforms if name not in after]:
             text = f"{names[1]} is for {listed(sorted(after)) or 'no platform'}, not for {listed(missing)}"
             raise RosmlError(text, "name a platform that it has", exit_code=2)
-        deltas = [item for item in pulled_layers.deltas(before, after) if item.platform in (platforms or after)]
+        chosen = sorted(set(platforms or after))
+        deltas = [pulled_layers.delta(after[name], before.get(name)) for name in chosen]
     if as_json:
         content = {"before": names[0], "after": names[1], "platforms": [dataclasses.asdict(item) for item in deltas]}
         terminal.echo(json.dumps(content, indent=2))
