@@ -387,6 +387,14 @@ def test_what_a_layer_replaces(new: Source, older: Source, pairs: str) -> None:
     }
 
 
+@pytest.mark.parametrize(("name", "value"), [("LEAST", (1 << 20) + 1), ("MOST", 0)])
+def test_small_layers_and_much_larger_ones_do_not_count(monkeypatch: pytest.MonkeyPatch, name: str, value: int) -> None:
+    new, older = image("a", "A2"), image("a", "A1")
+    assert pulled_layers.replaced(new, [older])
+    monkeypatch.setattr(pulled_layers, name, value)
+    assert not pulled_layers.replaced(new, [older])
+
+
 # ---- A stranger's archive --------------------------------------------------------------------------------------------
 
 X = archive.path(oci.digest_of(PACKED["x"]))
