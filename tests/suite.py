@@ -111,8 +111,8 @@ def run(phase: Phase) -> Outcome:
     started = time.monotonic()
     with log.open("wb") as stream:
         argv, env = [*phase.command, f"--junitxml={counts}"], {**environment(), **phase.environment}
-        streams: dict[str, int] = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
-        process = subprocess.Popen(argv, cwd=ROOT, env=env, stdin=subprocess.DEVNULL, **streams)
+        null, pipe, together = subprocess.DEVNULL, subprocess.PIPE, subprocess.STDOUT
+        process = subprocess.Popen(argv, cwd=ROOT, env=env, stdin=null, stdout=pipe, stderr=together)
         assert process.stdout
         try:
             while data := os.read(process.stdout.fileno(), 1 << 16):
