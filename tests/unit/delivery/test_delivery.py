@@ -41,7 +41,7 @@ from fakes.delivery import (
 )
 from fakes.http_registry import DROP, local_registry
 from rosml.cli import command, main
-from rosml.delivery import archive, pulled_layers
+from rosml.delivery import apply_patch, archive, pulled_layers
 from rosml.images.join.layers import Source
 from rosml.registry import oci, retries
 
@@ -401,7 +401,17 @@ X = archive.path(oci.digest_of(PACKED["x"]))
 TWO = [oci.descriptor(LAYER, PACKED["a"]), oci.descriptor(LAYER, PACKED["b"])]
 WRONG = {"digest": "sha256:../../../../etc/passwd", "size": 3, "mediaType": oci.IMAGE}
 
+_X = oci.digest_of(b"x")
+ABSENT_PATCH = {
+    _X: {"digest": _X, "size": 1, "old": {"digest": _X, "diff_id": _X, "size": 1}, "image": "a"}
+    | {"mediaType": apply_patch.MEDIA_TYPE}
+}
+
 HOSTILE: dict[str, tuple[bytes, str]] = {
+    "a patch that is not there": (
+        packed(indexed(annotations={archive.PATCHES: json.dumps(ABSENT_PATCH)})),
+        "or has another size of it",
+    ),
     "nothing": (b"", "is empty"),
     "gzip": (gzip.compress(packed(sound())), "no tar file"),
     "another tar": (packed({"a": b"b"}), "no OCI archive"),
