@@ -26,7 +26,7 @@ DAY = datetime.timedelta(days=1)
 def docker(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
     monkeypatch.setattr(certificates, "SYSTEM", tmp_path / "system")
-    monkeypatch.setattr(failures, "WAIT", 0.001)
+    monkeypatch.setattr(retries, "WAIT", 0.001)
     return tmp_path / "docker/certs.d"
 
 
