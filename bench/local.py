@@ -11,7 +11,7 @@ from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize.build import app as build
+from rosml.containerize.build import step_order as build
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
 

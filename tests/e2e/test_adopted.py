@@ -13,7 +13,7 @@ import pytest
 
 from rosml import ROOT
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize.build import app as build
+from rosml.containerize.build import step_order as build
 from rosml.images.builds import base_images
 from rosml.images.image_set import load
 from rosml.machine.services import Services

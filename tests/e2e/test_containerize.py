@@ -29,7 +29,7 @@ import pytest
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize.build import app as build
+from rosml.containerize.build import step_order as build
 from rosml.machine.services import Services
 from rosml.registry import oci, references
 from rosml.registry.client import Registry

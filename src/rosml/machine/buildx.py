@@ -19,6 +19,7 @@ from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import holder, turn
 from rosml.base.problems import listed
+from rosml.machine import mirrors
 from rosml.machine.progress import TAIL_LINES, BuildProgress, Step
 from rosml.machine.services import Services
 from rosml.registry import credentials, failures, references, retries
@@ -92,7 +93,6 @@ _STEP_REMEDIES: _Remedies = (
 _SCRIPT_ERROR = re.compile(r"error: .+; .+")
 """The last line of a script of rosml that has the reason and its remedy."""
 
-_MIRRORS = ("OS_APT_MIRROR", "ROS_APT_MIRROR")
 
 CANCEL_SECONDS = 15.0
 
@@ -149,7 +149,7 @@ def local_servers(services: Services) -> list[str]:
     """The variables that name a mirror or a proxy on this machine, which only steps with the machine's network can reach."""
     if services.builder_kind == "user":
         return []
-    return [name for name in (*_MIRRORS, *web.PROXIES) if web.is_here(os.environ.get(name, ""))]
+    return [name for name in (*mirrors.VARIABLES, *web.PROXIES) if web.is_here(os.environ.get(name, ""))]
 
 
 def command(services: Services, bake: Bake, metadata: Path) -> list[str]:

@@ -14,7 +14,7 @@ import pytest
 from fakes import archives
 from fakes.http_registry import LocalRegistry
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize.build import app
+from rosml.containerize.build import step_order
 from rosml.containerize.build.result import Result
 from rosml.containerize.inputs import Values
 from rosml.containerize.sources import fetch as sources
@@ -90,16 +90,16 @@ class Robot:
         inputs = {"base_image": "ros:jazzy", "command": "true", **inputs}
         return app_inputs.values({name.replace("_", "-"): value for name, value in inputs.items()}, self.folder, {})
 
-    def call(self, environment: Mapping[str, str] | None = None, renew: bool = False, /, **inputs: str) -> app.Call:
+    def call(self, environment: Mapping[str, str] | None = None, renew: bool = False, /, **inputs: str) -> step_order.Call:
         values = self.values(**inputs)
-        return app.new_call(self.folder, values, environment or {}, self.services, self.messages.append, renew)
+        return step_order.new_call(self.folder, values, environment or {}, self.services, self.messages.append, renew)
 
     def build(self, environment: Mapping[str, str] | None = None, /, **inputs: str) -> Result:
-        return app.build_images(self.call(environment, **inputs))
+        return step_order.build_images(self.call(environment, **inputs))
 
     def renew(self, **inputs: str) -> Result:
         """Builds with `--lock`."""
-        return app.build_images(self.call(None, True, **inputs))
+        return step_order.build_images(self.call(None, True, **inputs))
 
     @property
     def names(self) -> list[str]:

@@ -72,7 +72,7 @@ def main(folder: Path, lock: bool, as_json: bool, **options_by_variable: str | b
     Example:
       rosml containerize --base-image ghcr.io/us/ros-torch:jazzy-base-cu130 --command "ros2 launch my_package all.launch.py"
     """
-    from rosml.containerize.build import app
+    from rosml.containerize.build import step_order
     from rosml.containerize.packages import manifest
 
     folder = folder.resolve()
@@ -87,7 +87,7 @@ def main(folder: Path, lock: bool, as_json: bool, **options_by_variable: str | b
         say(sentence)
     services = services_for_builds()
     services.require_builder()
-    result = app.build_images(app.new_call(folder, values, os.environ, services, say, renew=lock))
+    result = step_order.build_images(step_order.new_call(folder, values, os.environ, services, say, renew=lock))
     if as_json:
         terminal.echo(json.dumps(result.to_json(), indent=2))
         return

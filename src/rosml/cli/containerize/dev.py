@@ -201,7 +201,7 @@ def _image(
     """The image, and what the engine says of it. If its inputs changed, it is made."""
     from rosml import STATE
     from rosml.cli.containerize import containerize
-    from rosml.containerize.build import app, dev_folder
+    from rosml.containerize.build import dev_folder, step_order
     from rosml.run import engine
 
     file = dev_folder.record_file(folder, STATE)
@@ -215,7 +215,7 @@ def _image(
     engine.answering(program)
     services = containerize.services_for_builds()
     services.require_builder()
-    image = app.build_shell_image(app.new_call(folder, values, os.environ, services, say))
+    image = step_order.build_shell_image(step_order.new_call(folder, values, os.environ, services, say))
     facts = engine.ask(program, image.reference, "")
     if facts.image is None and image.loaded:
         text = f"the image is in Docker, and {program} does not have it"

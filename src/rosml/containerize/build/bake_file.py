@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from pathlib import Path
@@ -18,7 +18,7 @@ from rosml.images.builds import adopted
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.builds.push import COMPRESSION
 from rosml.images.image_set.labels import APP, PREFIX, REVISION, TITLE
-from rosml.machine import buildx, exported
+from rosml.machine import buildx, exported, mirrors
 from rosml.machine.services import Services
 
 BASE = "base"
@@ -57,8 +57,6 @@ STAGES = ("app", "runtime", "workspace")
 SLIM_STAGES = ("slim-app", "slim-runtime")
 
 PACKAGES = "packages"
-
-_MIRRORS = {"os-apt-mirror": "OS_APT_MIRROR", "ros-apt-mirror": "ROS_APT_MIRROR"}
 
 
 @dataclass(frozen=True)
@@ -246,18 +244,14 @@ def render_base(base: Base, services: Services, common: Mapping[str, Any], tag: 
     return _text({"target": targets})
 
 
-def steps(services: Services, environment: Iterable[str], platforms: Iterable[str]) -> dict[str, Any]:
+def steps(services: Services, environment: Container[str], platforms: Iterable[str]) -> dict[str, Any]:
     """The common fields of all targets with steps. `environment`: the names of set variables."""
-    secrets = [f"type=env,id={name},env={item}" for name, item in _MIRRORS.items() if item in environment]
+    secrets = mirrors.secrets(environment)
     if services.ca_bundle:
         secrets.append(f"type=file,id=ca-bundle,src={services.ca_bundle}")
     host = {"network": "host"} if buildx.local_servers(services) else {}
     return {"platforms": list(platforms), "secret": secrets, **host}
 
-
-def mirrors_with_a_password(environment: Mapping[str, str]) -> list[str]:
-    """The variables with a mirror whose address has a user or a password."""
-    return [name for name in _MIRRORS.values() if "@" in environment.get(name, "").partition("?")[0]]
 
 
 def _text(content: Mapping[str, Any]) -> str:

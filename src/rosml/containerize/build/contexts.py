@@ -14,7 +14,7 @@ from rosml.base.problems import counted, some
 from rosml.containerize import within
 from rosml.containerize.base_image import rosdep_index
 from rosml.containerize.base_image.base import Base
-from rosml.containerize.build.bake_file import Inputs, mirrors_with_a_password
+from rosml.containerize.build.bake_file import Inputs
 from rosml.containerize.build.call import Call
 from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.lock import Lock
@@ -23,7 +23,7 @@ from rosml.containerize.packages import manifest, workspace
 from rosml.containerize.sources import fetch as sources
 from rosml.containerize.sources.git import Access
 from rosml.images.image_set.system import CALLED, DEBIAN
-from rosml.machine import buildx, git
+from rosml.machine import buildx, git, mirrors
 
 TIME = 1767225600
 """2026-01-01T00:00:00Z: the time of images whose sources are in no commit."""
@@ -84,7 +84,8 @@ def write(call: Call, base: Base, slim: Base | None, followed_lock: Lock | None)
     roots = {"target": folder, "upstream": state / "upstream", "downstream": state / "downstream"}
     private = workspace.stage(folder, staged / "target", call.lock_file, IgnoredFiles(folder))
     empty.mkdir(parents=True, exist_ok=True)
-    _require_safe_mirrors(call)
+    if not values.allow_mirror_password:
+        mirrors.require_no_password(call.environment)
     counts = _write_manifests(call, roots, manifests)
     of_base = replace(values, ros_distro=distribution)
     workspace.write_requests(of_base, folder, roots["upstream"], base.environment, requests)
@@ -146,13 +147,6 @@ def _distribution(call: Call, base: Base) -> tuple[str, str]:
         raise RosmlError(text, "add --ros-distro, such as jazzy", exit_code=2)
     return distribution, distribution
 
-
-def _require_safe_mirrors(call: Call) -> None:
-    mirrors = mirrors_with_a_password(call.environment)
-    if mirrors and not call.values.allow_mirror_password:
-        text = f"{' and '.join(mirrors)} has a password, and steps that ask the mirror run code of the repository"
-        remedy = "name a mirror without a password; if you trust all of that code, add --allow-mirror-password"
-        raise RosmlError(text, remedy, exit_code=2)
 
 
 def _write_manifests(call: Call, roots: Mapping[str, Path], out: Path) -> dict[str, int]:

@@ -1,4 +1,4 @@
-"""What is built, and what a cache has: the stages of the packages, then the images that join them."""
+"""The stages of a build: which of them a cache has, and the builder's calls that make the others and join the images."""
 
 from __future__ import annotations
 

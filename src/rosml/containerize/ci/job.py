@@ -21,8 +21,8 @@ from rosml.base.problems import first_of
 from rosml.base.shapes import adapter
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.build import junit
-from rosml.containerize.build.app import build_images, new_call
 from rosml.containerize.build.report import KINDS, TARGET
+from rosml.containerize.build.step_order import build_images, new_call
 from rosml.containerize.inputs import Values
 from rosml.containerize.lock import Digest
 from rosml.containerize.names import SLIM, listed, listed_platforms

@@ -14,7 +14,7 @@ from fakes.apps import Robot, robot, services
 from rosml.base.errors import RosmlError
 from rosml.containerize import lock
 from rosml.containerize.base_image import rosdep_index
-from rosml.containerize.build import app, bake_file, dev_folder, stage_cache
+from rosml.containerize.build import bake_file, dev_folder, stage_cache, step_order
 from rosml.containerize.build.result import ShellImage
 from rosml.containerize.names import DESK
 from rosml.images.builds import variables
@@ -65,9 +65,9 @@ def test_the_image_for_rosml_dev_is_the_same_for_each_commit(robot: Robot, monke
     values = replace(robot.values(), image_name="ghcr.io/me/robot", push=True)
     for commit in ("a", "b"):
         monkeypatch.setattr(git, "commit", lambda *_, commit=commit: git.Commit(commit, ord(commit)))
-        call = app.new_call(robot.folder, dev_folder.image_values(values, robot.folder), {}, robot.services, print)
+        call = step_order.new_call(robot.folder, dev_folder.image_values(values, robot.folder), {}, robot.services, print)
         name = f"{robot.services.registry}/{dev_folder.image_name(robot.folder)}"
-        assert app.build_shell_image(call) == ShellImage(f"{name}@sha256:1", False, None)
+        assert step_order.build_shell_image(call) == ShellImage(f"{name}@sha256:1", False, None)
     first, second = robot.targets
     assert first == second and first["name"] == DESK and first["dockerfile-inline"].startswith(f"FROM {DESK}\n")
     assert "APP_DEFAULT_CMD" not in first["args"]

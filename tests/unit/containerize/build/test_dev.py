@@ -23,7 +23,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.containerize import containerize, dev
 from rosml.cli.run import container
-from rosml.containerize.build import app, bake_file, dev_folder
+from rosml.containerize.build import bake_file, dev_folder, step_order
 from rosml.containerize.build.result import ShellImage
 from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.packages import workspace
@@ -86,8 +86,8 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Place:
     monkeypatch.setenv("PATH", str(place.desk.bin))
     monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.setattr(rosml, "STATE", tmp_path / "state")
-    monkeypatch.setattr(app, "new_call", place.new_call)
-    monkeypatch.setattr(app, "build_shell_image", place.build)
+    monkeypatch.setattr(step_order, "new_call", place.new_call)
+    monkeypatch.setattr(step_order, "build_shell_image", place.build)
     monkeypatch.setattr(containerize, "services_for_builds", lambda: SimpleNamespace(require_builder=lambda: None))
     monkeypatch.setattr(container, "become", place.become)
     monkeypatch.chdir(place.folder)

@@ -17,9 +17,9 @@ from fakes.http_registry import LocalRegistry
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import ci as command
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize.build.app import build_images, new_call
 from rosml.containerize.build.outcome import Outcome
 from rosml.containerize.build.result import Image, Result
+from rosml.containerize.build.step_order import build_images, new_call
 from rosml.containerize.ci import inputs as ci_inputs
 from rosml.containerize.ci import job as ci_job
 from rosml.containerize.inputs import Values

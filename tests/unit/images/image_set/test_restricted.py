@@ -20,7 +20,7 @@ from rosml.base.problems import InputError
 from rosml.cli.images import call
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize.base_image import base as app_base
-from rosml.containerize.build import app as build
+from rosml.containerize.build import step_order as build
 from rosml.images.bake import targets
 from rosml.images.builds import part
 from rosml.images.image_set import labels, restricted, selection

@@ -1,4 +1,4 @@
-"""Builds an app: its packages once, as a part, and the images that join the part and a base image."""
+"""The order of the steps that build an app: its packages once, as a part, and the images that join the part and a base image."""
 
 from __future__ import annotations
 
