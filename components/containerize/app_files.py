@@ -3,15 +3,13 @@
 
     app_files.py BASE RUNTIME ENVIRONMENT WORKSPACE OUTSIDE OUT LOCKED…
 
-BASE is the base image, RUNTIME the same with the packages that the app needs to run. ENVIRONMENT is where the app was built. Of what is
-there afterwards, WORKSPACE has the workspace with the install space, and OUTSIDE what the packages installed elsewhere, at its place below
-each: BuildKit hashes all that a step mounts, and a whole image takes seconds. OUT/root gets the files, OUT/app.json what is to be known of them. If the packages take away or replace what the base image has, OUT/root gets
-the install space alone: the run image then starts from RUNTIME. Times and owners do not depend on when and where it was built.
-LOCKED are folders whose packages beyond BASE belong into a lock file, with their versions. OUT/packages.json and OUT/files.gz
-get the contents of the image, and OUT/facts.gz what decides whether the app can move to another base, if it can.
+BASE is the base image, RUNTIME the same with the packages that the app needs to run, ENVIRONMENT where the app was built. WORKSPACE has
+the workspace afterwards, and OUTSIDE what was installed elsewhere: BuildKit hashes all that a step mounts, so these are no whole images.
+OUT/root gets the files, OUT/app.json facts about them. If packages remove or replace something of the base image, OUT/root gets the
+install space alone, and the run image starts from RUNTIME. The packages of LOCKED beyond BASE are for a lock file. OUT/packages.json,
+OUT/files.gz and OUT/facts.gz describe the image; an app that cannot move to another base has no facts.
 
-The app has no copy of dpkg's database: it would be that of one base. Its packages are in `/var/lib/dpkg/status.d`, where
-scanners look for them.
+dpkg's database would be that of one base, so the app's packages are in `/var/lib/dpkg/status.d`, where scanners look for them.
 """
 
 from __future__ import annotations
@@ -30,7 +28,7 @@ from typing import Any, Container, Sequence
 
 import contents
 import lacking
-from contents import STATUS, entries, paths, status
+from contents import STATUS, entries, status, walk
 from facts import shown, write_app
 
 LEFT_OUT = re.compile(
@@ -88,7 +86,6 @@ def same(path: str, one: Path, other: Path, before: os.stat_result, after: os.st
 
 
 def belongs(path: str, facts: os.stat_result) -> bool:
-    """Whether a file can be one of an app."""
     return not LEFT_OUT.fullmatch(path) and (stat.S_ISDIR(facts.st_mode) or not EMPTIED.fullmatch(path))
 
 
@@ -101,7 +98,7 @@ def libraries(root: Path) -> set[str]:
 
 
 def versions(base: Path, roots: Sequence[Path]) -> dict[str, Any]:
-    """What is to be locked: packages of apt with their versions, and requirements of pip as install.sh left them."""
+    """For a lock file: packages of apt with their versions, and requirements of pip as install.sh left them."""
     of_base = _versions(base)
     architecture = next((key.partition(":")[2] for key in of_base if key.startswith("dpkg:")), "")
     apt: dict[str, str] = {}
@@ -122,7 +119,6 @@ def _versions(root: Path) -> dict[str, str]:
 
 
 def put(source: Path, target: Path) -> None:
-    """Copies one file, link or folder, without what is in it."""
     facts = os.lstat(source)
     if stat.S_ISDIR(facts.st_mode):
         target.mkdir(exist_ok=True)
@@ -141,11 +137,10 @@ def put(source: Path, target: Path) -> None:
 
 
 def require_folder(place: Path, path: Path) -> None:
-    """Ends the program if a folder is a link by now: what it has would be read, or written, at a place that is not the app's."""
+    """Ends the program if a folder is a link: files would be read, or written, at a place that is not the app's."""
     if not stat.S_ISDIR(os.lstat(place).st_mode):
-        sys.exit(
-            f"error: /{path} is no folder, and should have the app's files; let your scripts and packages leave it one"
-        )
+        what = f"/{path} is no folder, and should have the app's files"
+        sys.exit(f"error: {what}; let your scripts and packages leave it one")
 
 
 def copy(source: Path, path: str, out: Path) -> None:
@@ -161,8 +156,8 @@ def copy(source: Path, path: str, out: Path) -> None:
 
 
 def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
-    """Puts the files below a root that the packages bring; gives what is to be of_base of them. Nothing, if they take away or
-    replace what the base image has: a layer on top of it cannot say that."""
+    """Copies the files that packages bring to a root; returns what they change. Copies nothing if they remove or replace something of
+    the base image: a layer on top of it cannot say that."""
     before, after = entries(base), entries(runtime)
     of_base, installed = status(base), status(runtime)
     paths = [path for path in sorted(after) if belongs(path, after[path])]
@@ -194,20 +189,19 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
 
 
 def built_packages(install: Path) -> list[str]:
-    """The packages that colcon built into an install space, each in a folder of its own or all in one."""
     files = (path for below in ("", "*/") for path in install.glob(f"{below}share/colcon-core/packages/*"))
     return sorted({path.name for path in files})
 
 
 def outside(environment: Path, installed: Path) -> list[str]:
     """What the app's packages installed outside of the workspace, and what was not there before."""
-    new = {*paths(installed)}.difference(paths(environment))
-    return [path for path in sorted(new) if not WORKING.fullmatch(path) and belongs(path, os.lstat(installed / path))]
+    before = {path for path, _ in walk(environment)}
+    new = sorted(path for path, _ in walk(installed) if path not in before and not WORKING.fullmatch(path))
+    return [path for path in new if belongs(path, os.lstat(installed / path))]
 
 
 def requested(runtime: Path, brought: Sequence[str]) -> set[str]:
-    """The packages of apt that the app asks for by name, in manifests and in its own list, and that its base image has. Those that it
-    brings itself come along to another base image."""
+    """The packages of apt that the app asks for by name and its base image has, without those that it brings itself."""
     listed = (ASKED / "needed/exec.apt", ASKED / "requests/apt")
     words = " ".join(file.read_text("utf-8", "replace") for file in listed if file.is_file()).split()
     names = {word.partition("=")[0].partition(":")[0] for word in words}
@@ -215,14 +209,7 @@ def requested(runtime: Path, brought: Sequence[str]) -> set[str]:
 
 
 def asked_of_pip(brought: Container[str], runtime: Path, layer: Path) -> set[str]:
-    """The packages of pip that the app asks for by name, in manifests and in its own lists, or that a package of the app's layer needs; and
-    that its base image has.
-
-    Args:
-        brought: names of packages of Python that the base image has.
-        runtime: the image with the files that lists name.
-        layer: the app's files.
-    """
+    """The packages of pip that its base image brings, and that the app asks for by name or a package of its layer needs."""
     listed = (ASKED / "needed/exec.pip", ASKED / "requests/pip")
     lines = [line for file in listed for line in requirements(file, runtime)]
     lines += [line for file in sorted(layer.glob(METADATA)) for line in required(file)]
@@ -231,7 +218,7 @@ def asked_of_pip(brought: Container[str], runtime: Path, layer: Path) -> set[str
 
 
 def requirements(file: Path, root: Path, depth: int = 0) -> list[str]:
-    """The lines of a list for pip, and of those that it names: relative to it, or in the image."""
+    """The lines of a list for pip, and of those that it names."""
     if not file.is_file() or depth > DEEPEST:
         return []
     lines: list[str] = []
@@ -247,7 +234,7 @@ def requirements(file: Path, root: Path, depth: int = 0) -> list[str]:
 
 
 def required(metadata: Path) -> list[str]:
-    """What a package of Python needs on any machine: without what belongs to an extra, or to some machines alone."""
+    """What a package of Python needs on any machine, without any extra."""
     lines = metadata.read_text("utf-8", "replace").partition("\n\n")[0].splitlines() if metadata.is_file() else []
     requirements = [line.partition(":")[2] for line in lines if line.startswith("Requires-Dist:")]
     return [line for line in requirements if ";" not in line]

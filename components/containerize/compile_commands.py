@@ -3,8 +3,7 @@
 
     compile_commands.py WORKSPACE FOLDER
 
-FOLDER is the path of the sources on the machine that has the container. If it is not empty, `host/compile_commands.json` has the
-paths of that machine.
+FOLDER is the path of the sources on the container's machine, for whose paths there is `host/compile_commands.json`; empty for none.
 """
 
 from __future__ import annotations
@@ -38,7 +37,7 @@ def read(workspace: Path) -> list[Entry]:
 
 
 def understood(entry: Any) -> bool:
-    """Whether an entry has all that there must be: https://clang.llvm.org/docs/JSONCompilationDatabase.html."""
+    """Whether an entry is complete: https://clang.llvm.org/docs/JSONCompilationDatabase.html."""
     if not isinstance(entry, dict) or not all(isinstance(entry.get(key), str) for key in ("directory", "file")):
         return False
     try:
@@ -49,15 +48,11 @@ def understood(entry: Any) -> bool:
 
 
 PIECE = re.compile(r"""([^\s"'\\]+)|'([^']*)'|"([^"\\]*(?:\\.[^"\\]*)*)"|\\(.)|(\s+)""", re.DOTALL)
-"""What words of a command are made of: plain text, the two kinds of quotes, a character after a backslash; and what is between words."""
+"""A piece of a command: plain text, both kinds of quotes, a character after a backslash, or what is between words."""
 
 
 def split(command: str) -> list[str]:
-    """The words of a command, as a shell splits it. shlex takes a minute for a word of a megabyte.
-
-    Raises:
-        ValueError: a quote does not close.
-    """
+    """The words of a command, as a shell splits it. shlex takes a minute for a word of a megabyte."""
     words: list[list[str]] = [[]]
     place = 0
     while place < len(command):
@@ -74,11 +69,7 @@ def split(command: str) -> list[str]:
 
 
 def moved(entry: Entry, places: dict[str, str]) -> Entry:
-    """An entry with the paths of another machine.
-
-    Args:
-        places: the to_path path for the beginning of each from_path one. The first that fits counts.
-    """
+    """An entry with the paths of another machine. `places`: these by the beginnings of ours; the first that fits counts."""
 
     def path(text: str) -> str:
         for from_path, to_path in places.items():
@@ -93,7 +84,7 @@ def moved(entry: Entry, places: dict[str, str]) -> Entry:
 
 
 def write(file: Path, entries: list[Entry]) -> None:
-    """Writes a file at once, unless it has the same content."""
+
     text = json.dumps(entries, indent=1) + "\n"
     try:
         if file.read_text(encoding="utf-8") == text:
@@ -108,7 +99,7 @@ def write(file: Path, entries: list[Entry]) -> None:
 
 
 def main(workspace: Path, folder: str) -> None:
-    """Joins the files of a workspace. If there is none, nothing is written."""
+
     entries = read(workspace)
     if not entries:
         return

@@ -1,10 +1,5 @@
 #!/usr/bin/env python3
-"""What is in an image: its packages and its files, for those who do not want to pull it to know.
-
-    contents.py ROOT OUT
-
-ROOT is the image's root. OUT/packages.json gets its packages, and OUT/files.gz its files.
-"""
+"""Lists the packages of an image in OUT/packages.json, and its files in OUT/files.gz: contents.py ROOT OUT"""
 
 from __future__ import annotations
 
@@ -28,10 +23,9 @@ ROS = re.compile(r"docker-ros/ws/install/(.+/)?share/[^/]+/package\.xml")
 """What a ROS package of an app says of itself."""
 
 APT = re.compile(r"var/lib/dpkg/status\.d/[^/]+")
-"""What packages of apt say of themselves that an app brought."""
 
 EMPTY_SLOT = re.compile(r".*/rosml/constraints\.d/[^/]+")
-"""Files that count where they are not empty: before, they are nobody's, and a part may fill one."""
+"""An empty one is nobody's: a part may fill it."""
 
 STATUS = "var/lib/dpkg/status"
 """dpkg's database."""
@@ -45,31 +39,20 @@ INSTALLED = re.compile(r"(install|hold) ok (installed|triggers-awaited|triggers-
 
 @functools.lru_cache(maxsize=None)
 def entries(root: Path) -> Mapping[str, os.stat_result]:
-    """All files, links and folders below a root, by path. It is read once: a root that changes has new entries nowhere."""
-    stats = {}
+    """All files, links and folders below a root, by path. A root is read once, so it must not change."""
+    return {path: item.stat(follow_symlinks=False) for path, item in walk(root)}
+
+
+def walk(root: Path) -> Iterator[tuple[str, os.DirEntry[str]]]:
+    """The same without what each is: to ask that takes most of the time."""
     folders = [""]
     while folders:
         above = folders.pop()
         with contextlib.suppress(OSError), os.scandir(os.path.join(root, above)) as items:
             for item in items:
-                path = above + item.name
-                stats[path] = item.stat(follow_symlinks=False)
+                yield above + item.name, item
                 if item.is_dir(follow_symlinks=False):
-                    folders.append(f"{path}/")
-    return stats
-
-
-def paths(root: Path) -> Iterator[str]:
-    """The paths of `entries`, without what each is: to ask that takes most of its time."""
-    folders = [""]
-    while folders:
-        above = folders.pop()
-        with contextlib.suppress(OSError), os.scandir(os.path.join(root, above)) as items:
-            for item in items:
-                path = above + item.name
-                yield path
-                if item.is_dir(follow_symlinks=False):
-                    folders.append(f"{path}/")
+                    folders.append(f"{above}{item.name}/")
 
 
 def files(roots: Sequence[Path]) -> dict[str, str]:
@@ -102,18 +85,11 @@ def status(root: Path) -> dict[str, str]:
 
 
 def packages(paths: dict[str, str], entries: Iterable[str], others: Container[str]) -> dict[str, Any]:
-    """The packages of an image: of the operating system, of Python, and of the apps in it.
-
-    paths: its files. entries: of its packages, as dpkg has them. others: files of these packages.
-    """
+    """The packages of an image with these files. `entries`: of its packages, as dpkg has them. `others`: files of these packages."""
     python = [Path(place) for path, place in paths.items() if PYTHON.fullmatch(path) and path not in others]
-    apt = [
-        *entries,
-        *(text for path, place in paths.items() if APT.fullmatch(path) for text in paragraphs(Path(place))),
-    ]
     return {
         "system": _system(paths),
-        "apt": _sorted(map(_debian, apt)),
+        "apt": _sorted(map(_debian, [*entries, *brought(paths)])),
         "python": _sorted(map(_python, python)),
         "ros": _sorted(_ros(Path(place)) for path, place in paths.items() if ROS.fullmatch(path)),
     }
@@ -127,14 +103,16 @@ def write(paths: dict[str, str], entries: Iterable[str], others: Container[str],
 
 
 def as_json(facts: Any, indent: int) -> str:
-    """Facts as JSON that any reader takes: of names that are no Unicode, the bytes that are none are replaced."""
+    """Facts as JSON for any reader: bytes of names that are no Unicode are replaced."""
     text = json.dumps(facts, indent=indent, ensure_ascii=False) + "\n"
     return json.dumps(json.loads(text.encode("utf-8", "replace")), indent=indent) + "\n"
 
 
-def paragraphs(place: Path) -> list[str]:
-    """The entries of a file in the form of dpkg's database; none if it is no file."""
-    return place.read_text("utf-8", "replace").split("\n\n") if place.is_file() else []
+def brought(paths: Mapping[str, str]) -> Iterator[str]:
+    """What packages of apt say of themselves that apps brought."""
+    for path, place in sorted(paths.items()):
+        if APT.fullmatch(path) and Path(place).is_file():
+            yield from Path(place).read_text("utf-8", "replace").split("\n\n")
 
 
 def _system(paths: dict[str, str]) -> dict[str, str]:

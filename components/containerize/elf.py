@@ -1,7 +1,6 @@
-"""Programs and libraries in ELF: what they need, what they export, and what they expect of others. Files are read; none of them runs.
+"""Reads what programs and libraries in ELF need, export, and expect of others. Only segments count, as `strip` may remove sections.
 
-Only segments count, as for the loader: `strip` may remove sections. A file that is damaged, or larger than any real one, counts as
-no ELF file. So does one that was made to take long.
+A file that is damaged, or larger than any real one, counts as no ELF file.
 """
 
 from __future__ import annotations
@@ -46,36 +45,21 @@ _WRONG = (OSError, struct.error, KeyError, IndexError, OverflowError, ValueError
 
 
 class Elf(NamedTuple):
-    """A program or a library.
-
-    Attributes:
-        machine: what it is for: class, byte order, machine.
-        needed: the libraries that it names.
-        soname: its own name as a library; empty if it has none.
-        build: the build ID that the linker gave it, in hexadecimal digits; empty if it has none.
-    """
-
-    machine: tuple[int, int, int]
-    needed: list[str]
+    machine: tuple[int, int, int]  # class, byte order, machine
+    needed: list[str]  # libraries
     soname: str
-    build: str
+    build: str  # the linker's build ID, in hexadecimal digits
 
 
 class Symbols(NamedTuple):
-    """The dynamic symbols of a file, each as `name`, and as `name@VERSION` if it has a version.
-
-    Attributes:
-        exports: what it offers to others.
-        uses: what it expects of others: of a symbol with a version only `name@VERSION`. Weak ones do not count, since a program runs
-            without them.
-    """
+    """Dynamic symbols, each as `name`, and as `name@VERSION` if it has a version."""
 
     exports: set[bytes]
-    uses: set[bytes]
+    uses: set[bytes]  # `name@VERSION` alone if it has a version; no weak ones, since a program runs without them
 
 
 def elf(path: Path) -> Elf | None:
-    """A program or library; None for any other file, and for one that is damaged."""
+    """None for any other file, and for one that is damaged."""
     try:
         with _opened(path) as file:
             return _File(file).elf()
@@ -84,7 +68,7 @@ def elf(path: Path) -> Elf | None:
 
 
 def symbols(path: Path) -> Symbols | None:
-    """The dynamic symbols of a program or library; None where `elf` gives it, and if its tables are damaged."""
+    """None if `elf` is None, and if its tables are damaged."""
     try:
         with _opened(path) as file:
             return _File(file).symbols()
@@ -161,13 +145,11 @@ class _File:
         return text.decode("utf-8", "backslashreplace")
 
     def elf(self) -> Elf:
-        """What the file says of itself."""
         needed = [self._name(place) for place in self._tags.get(_NEEDED, [])]
         soname = self._name(self._tag(_SONAME)) if _SONAME in self._tags else ""
         return Elf(self._machine, needed, soname, self._build())
 
     def _build(self) -> str:
-        """The build ID."""
         for offset, length in self._notes:
             rest = self._at(offset, min(length, LINE))
             while len(rest) >= 12:
@@ -179,7 +161,6 @@ class _File:
         return ""
 
     def symbols(self) -> Symbols:
-        """The dynamic symbols of the file."""
         symbols = Symbols(set(), set())
         if _SYMTAB not in self._tags:
             return symbols
@@ -251,7 +232,6 @@ class _File:
         )
 
     def _chosen(self, count: int) -> list[int]:
-        """The number of each symbol's version."""
         table = self._loaded_at(self._tag(_VERSYM), count * 2)
         return [number for (number,) in struct.iter_unpack(self._order + "H", table[: count * 2])]
 
@@ -276,7 +256,6 @@ class _File:
         return versions
 
     def _unpacked(self, form: str, address: int) -> tuple[int, ...]:
-        """One of the entries about versions."""
         self._versions_left -= 1
         if self._versions_left < 0:
             raise ValueError("too many versions")

@@ -1,10 +1,5 @@
 #!/usr/bin/env python3
-"""Facts of an image that say whether an app can move to another base: packages with their relations, and symbols of libraries.
-
-    facts.py ROOT OUT
-
-ROOT is the root of a base image or a part. OUT/facts.gz gets its facts: the same for the same image, on any day.
-"""
+"""Writes packages with their relations, and symbols of libraries, to OUT/facts.gz; they say which apps can move there: facts.py ROOT OUT"""
 
 from __future__ import annotations
 
@@ -25,7 +20,7 @@ LIBRARY = re.compile(r"(.*/)?[^/]+\.so(\.[^/]+)?")
 """Files that can be libraries, and links to them."""
 
 INTERPRETER = re.compile(r"(usr/(local/)?)?bin/python\d+\.\d+")
-"""Python itself exports what its extensions use, if it is built without a library."""
+"""Python, without a library of its own, exports what its extensions use."""
 
 EXTENSION = b"PyInit_"
 """The beginning of the one symbol that an extension of Python has to export."""
@@ -69,14 +64,13 @@ def package(text: str) -> dict[str, Any]:
 
 
 def write(out: Path, **facts: Sequence[Any]) -> None:
-    """Writes OUT/facts.gz."""
     text = json.dumps(facts, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
     with open(out / "facts.gz", "wb") as raw, gzip.GzipFile("", "wb", 9, raw, 0) as file:
         file.write(text.encode("utf-8", "replace"))
 
 
 def write_base(root: Path, out: Path) -> None:
-    """Writes the facts of a base image or a part: its packages, and the libraries that export something."""
+    """The facts of a base image or a part: its packages, and the libraries that export something."""
     paths = contents.files([root])
     links = _links(paths)
     libraries = []
@@ -85,32 +79,29 @@ def write_base(root: Path, out: Path) -> None:
             binary = _read(Path(place))
             if binary and _counts(*binary):
                 libraries.append(_library(path, *binary, links.get(path, ())))
-    entries = [*contents.status(root).values(), *_brought(paths)]
+    entries = [*contents.status(root).values(), *contents.brought(paths)]
     write(out, packages=_sorted(map(package, entries)), libraries=libraries)
 
 
 def write_app(
     layer: Path, runtime: Path, out: Path, imports: Mapping[str, str], asks: Iterable[str], asks_pip: Iterable[str]
 ) -> None:
-    """Writes the facts of an app: the packages in its layer with their files, its programs and libraries, and its other files.
+    """Writes the facts of an app with these files.
 
     Args:
-        layer: the root of the app's files.
         runtime: the image without the app's ROS packages, with dpkg's lists of files.
         imports: modules of the base image that the app's Python imports, each with a file that does.
         asks: packages of apt that the app asks for by name. asks_pip: those of pip.
     """
     paths = contents.files([layer])
     links = _links(paths)
-    read = {
-        path: binary for path, binary in ((path, _read(Path(place))) for path, place in sorted(paths.items())) if binary
-    }
+    read = {path: binary for path, place in sorted(paths.items()) if (binary := _read(Path(place)))}
     exported = {(binary.machine, name) for binary, names in read.values() for name in names.exports}
     libraries = []
     for path, (binary, names) in read.items():
         uses = {name for name in names.uses if (binary.machine, name) not in exported}
         libraries.append({**_library(path, binary, names, links.get(path, ())), "uses": sorted(_texts(uses))})
-    packages = _sorted(map(package, _brought(paths)))
+    packages = _sorted(map(package, contents.brought(paths)))
     for item in packages:
         item["files"] = sorted({*shown(_owned(item, paths, runtime))})
     others = {*shown(paths)}.difference(*(item["files"] for item in packages))
@@ -126,7 +117,7 @@ def write_app(
 
 
 def _read(place: Path) -> tuple[Elf, Symbols] | None:
-    """What a file says of itself, if it is a program or a library, and whole."""
+    """What a program or a library says of itself; None if it is damaged."""
     binary = elf(place)
     names = symbols(place) if binary else None
     if not binary or not names:
@@ -200,13 +191,6 @@ def _resolved(path: str, targets: dict[str, str]) -> str:
             here = "" if targets[below].startswith("/") else here
             pending += targets[below].split("/")[::-1]
     return here
-
-
-def _brought(paths: dict[str, str]) -> Iterator[str]:
-    """What packages say of themselves that apps brought."""
-    for path, place in sorted(paths.items()):
-        if contents.APT.fullmatch(path):
-            yield from contents.paragraphs(Path(place))
 
 
 def _owned(item: dict[str, Any], paths: dict[str, str], runtime: Path) -> Iterator[str]:

@@ -3,12 +3,12 @@
 
     identify.py MANIFESTS LEFT_OUT INDEX SCRATCH OUT
 
-Into OUT go `packages/KIND.WAY`, a sorted list for each kind of dependency (build, exec, test) and each way to install it
-(apt, pip); `downstream/downstream.WAY`, the same for all that packages need which use the others; and `dependencies.json`, which says what each key of rosdep became and who asked for it. LEFT_OUT is a list of
-ROS packages that do not count. What the base image has built in its own workspaces is there already.
+OUT gets sorted lists `packages/KIND.WAY` for each kind of dependency (build, exec, test) and each way to install it (apt, pip);
+`downstream/downstream.WAY`, the same for packages that use the others; and `dependencies.json`: what each key of rosdep became, and who
+asked for it. The ROS packages of the list LEFT_OUT do not count.
 
-Keys are looked up in the lists that the image has itself, or in INDEX, a folder such as a checkout of ros/rosdistro. Only
-if they do not know all keys, the network is asked.
+Keys are looked up in the lists of INDEX, such as a checkout of ros/rosdistro, and of the image. If INDEX is empty and these do not know
+all keys, the network is asked.
 """
 
 from __future__ import annotations
@@ -39,13 +39,13 @@ KINDS = {
 """What a manifest calls dependencies of a kind."""
 
 DOWNSTREAM = "downstream"
-"""The folder of packages that use the others, and what they need for whatever: they are in no image."""
+"""The folder of packages that use the others, and the one kind of what they need: they are in no image."""
 
 NAME = re.compile(r"[A-Za-z0-9][!-~]*")
-"""A package of apt or pip in a list with one on each line. Options of these programs begin with a dash."""
+"""A package of apt or pip. Options of these programs begin with a dash."""
 
 INSTALLERS = ("apt", "pip")
-"""Ways of rosdep to install something that an image can have."""
+"""Of rosdep's, those that an image can have."""
 
 SOURCES = Path("/etc/ros/rosdep/sources.list.d")
 
@@ -53,10 +53,8 @@ EMPTY = "empty.yaml"
 """An index of distributions that has none."""
 
 BUSY = re.compile(r"HTTP Error (429|500|502|503|504)\b")
-"""Answers of a server that may be other ones a moment later."""
-
 PAUSES = (1, 3)
-"""Seconds before such a server is asked again."""
+"""Seconds before a server is asked again that gave such an answer."""
 
 DEBIAN = "10-debian.list"
 """Of Debian's rosdep: it calls Debian's own packages of ROS 1 by names that ROS 2 has as well."""
@@ -72,14 +70,14 @@ Packages = Dict[str, Dict[str, Set[str]]]
 
 
 class Answer(NamedTuple):
-    """What a key became: how it is installed, and the names of the packages."""
+    """What a key became."""
 
     installer: str
     names: tuple[str, ...]
 
 
 class NoWay(Exception):
-    """A rule for a key installs something in a way that no image has: the message is the rule."""
+    """A rule that no image can follow, which is the message."""
 
 
 def read(folder: Path, left_out: Path) -> Packages:
@@ -111,27 +109,22 @@ def read(folder: Path, left_out: Path) -> Packages:
 
 def provided() -> set[str]:
     """ROS packages that are built in the base image, or that it has as Python wheels."""
-    patterns = ("share/*/package.xml", "*/share/*/package.xml")  # merged, and each in a folder of its own
-    manifests_of_base = (
-        path for place in WORKSPACES for pattern in patterns for path in (place / "install").glob(pattern)
-    )
+    patterns = ("install/share/*/package.xml", "install/*/share/*/package.xml")  # merged, and each in its folder
+    manifests_of_base = (path for place in WORKSPACES for pattern in patterns for path in place.glob(pattern))
+    names = {path.parent.name for path in manifests_of_base}
     wheels = ROS.glob("lib/python3*/site-packages/ros_*.dist-info")
-    return {path.parent.name for path in manifests_of_base} | {
-        path.name[len("ros_") :].partition("-")[0] for path in wheels
-    }
+    return names | {path.name[len("ros_") :].partition("-")[0] for path in wheels}
 
 
 def reasons(output: str) -> str:
     """What a call of rosdep says went wrong: all addresses that failed, those with the same reason together."""
-    lines = [line.strip() for line in output.split("\n")]
-    sources = re.findall(r"unable to process source \[(.*)\]:\n\s*(.*)", output)
     by_reason: defaultdict[str, list[str]] = defaultdict(list)
-    for address, why in dict.fromkeys(sources):
+    for address, why in dict.fromkeys(re.findall(r"unable to process source \[(.*)\]:\n\s*(.*)", output)):
         by_reason[why.replace(f"({address})", "").strip()].append(address)
-    others = [line for line in lines if line and line not in ("[[[", "]]]")]
-    return "; ".join(f"{', '.join(dict.fromkeys(addresses))}: {why}" for why, addresses in by_reason.items()) or (
-        others[-1] if others else ""
-    )
+    if by_reason:
+        return "; ".join(f"{', '.join(dict.fromkeys(addresses))}: {why}" for why, addresses in by_reason.items())
+    lines = [line for line in map(str.strip, output.split("\n")) if line not in ("", "[[[", "]]]")]
+    return lines[-1] if lines else ""
 
 
 def failure(command: list[str], environment: dict[str, str]) -> str:
@@ -146,7 +139,7 @@ def failure(command: list[str], environment: dict[str, str]) -> str:
 
 
 class Rosdep:
-    """rosdep's lists: those of a folder, then those of the image; then those of the network, if there is no such folder."""
+    """rosdep's lists: those of a folder and of the image; then those of the network, if the folder is empty."""
 
     def __init__(self, index: Path, scratch: Path) -> None:
         self._index, self._scratch = index, scratch
@@ -160,11 +153,7 @@ class Rosdep:
             fail(f"rosdep's lists cannot be read: {self.failure}", "check them, and the folder of --rosdep-index")
 
     def find(self, key: str) -> list[Answer]:
-        """What a key becomes, with what its rule depends on; asks the network for one that is not known here.
-
-        Raises:
-            KeyError: nobody knows it. NoWay: it is known, and no image can have it.
-        """
+        """What a key becomes, with what its rule depends on. KeyError: no list has it, nor has the network. NoWay: no image can have it."""
         try:
             return list(self._resolve(key))
         except KeyError:
@@ -175,11 +164,7 @@ class Rosdep:
         return list(self._resolve(key))
 
     def why_not(self, key: str, others: Iterable[str]) -> tuple[str, bool]:
-        """Why nobody knows a key, and whether lists have it for other systems.
-
-        Args:
-            others: names that somebody may have meant, besides those of the lists.
-        """
+        """Why no list has a key, and whether some have it for other systems. `others`: more names that somebody may have meant."""
         system, version, installers, _ = self._platform
         try:
             rules = self._view.lookup(key).data
@@ -194,7 +179,7 @@ class Rosdep:
 
     @property
     def system(self) -> str:
-        """What the image's system is called."""
+
         return f"{self._platform[0].capitalize()} {self._platform[1]}"
 
     def _resolve(self, key: str, above: tuple[str, ...] = ()) -> Iterator[Answer]:
@@ -242,7 +227,7 @@ class Rosdep:
         return f"file://{empty}"
 
     def _update(self, sources: str, index: str) -> None:
-        """Reads lists and index, from the network where they are empty, and takes them."""
+        """Reads lists and index, from the network if they are empty."""
         command = ["rosdep", "update"]
         if self._distribution and not index.endswith(EMPTY):
             command.append(f"--rosdistro={self._distribution}")
@@ -261,7 +246,7 @@ class Rosdep:
 def answers(
     packages: Packages, skipped: set[str], rosdep: Rosdep, plain: AbstractSet[str] = frozenset()
 ) -> dict[str, list[Answer]]:
-    """What each key became that is no package of the workspace; ends the program where nobody knows some.
+    """What each key became that is no package of the workspace. Ends the program if no list has some.
 
     Args:
         plain: packages of the workspace without a manifest. rosdep may know another package of that name.
@@ -294,21 +279,16 @@ OTHER = {
 """By the ROS of the base image: keys that packages of the other one ask for."""
 
 SHOWN = 12
-"""How many keys that are not known are told one by one: the last lines of a step are what people see."""
+"""The most keys to tell one by one: people see the last lines of a step."""
 
 
 def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosdep) -> NoReturn:
-    """Ends the program with the reason for each key that is not known.
-
-    Args:
-        unknown: who asks for it. packages: those of the workspace.
-    """
+    """Ends the program with the reason for each unknown key, which comes with those that ask for it."""
     elsewhere = []
     version = os.environ.get("ROS_VERSION", "")
-    foreign = {
-        name for key, names in unknown.items() if version in OTHER and OTHER[version].fullmatch(key) for name in names
-    }
-    if foreign:  # rosdep does not know their keys, as they are for the other ROS: that is all there is to say of them
+    foreign_keys = [key for key in unknown if version in OTHER and OTHER[version].fullmatch(key)]
+    foreign = {name for key in foreign_keys for name in unknown[key]}
+    if foreign:  # their keys are for the other ROS, which is all to say of them
         unknown = {key: names for key, names in unknown.items() if names - foreign}
     for number, (key, names) in enumerate(unknown.items()):
         why, ruled = rosdep.why_not(key, packages)
@@ -323,8 +303,8 @@ def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosde
         other = {"1": "2", "2": "1"}[version]
         fail(
             f"the base image has ROS {version}, and {', '.join(sorted(foreign))} {'asks' if len(foreign) == 1 else 'ask'} for packages of ROS {other}",
-            f"name a base image with ROS {other} by --base-image; or leave them out: put COLCON_IGNORE into their folders, or name"
-            " them in docker/blacklisted-packages.txt",
+            f"name a base image with ROS {other} by --base-image; or leave them out: put COLCON_IGNORE into their folders,"
+            " or name them in docker/blacklisted-packages.txt",
         )
     skip = f"leave out what your packages run without: --skip-keys '{' '.join(elsewhere or unknown)}'"
     if rosdep.failure:

@@ -1,8 +1,7 @@
 """What an install space lacks in an image: libraries, modules and programs that its files name. Files are read; none of them runs.
 
-What was there when the packages were built and tested, and is not in the image, is *lost*: somebody forgot to install it, or to
-name a package as `exec_depend`, and what needs it cannot start. What was not there either is *absent*: a driver may bring it, or
-nobody uses it. So a plugin that was made elsewhere, with needs that nobody has, is no error.
+What the build had and the image does not is *lost*: somebody forgot to install it, or to name a package as `exec_depend`. What the
+build lacked, too, is *absent*, and no error: a driver may bring it, or nobody uses it.
 """
 
 from __future__ import annotations
@@ -45,6 +44,7 @@ DISTRIBUTION = re.compile(r"([A-Za-z0-9._]+)(-.*)?\.(dist|egg)-info")
 
 FOUND = re.compile(r"\$\(find(?:-pkg-share)?\s+([\w.-]+)\s*\)/([\w./+-]+)(?![\w./+$-])")
 """A path in a package."""
+
 COMMANDS = ("bin", "sbin")
 """Names of folders with programs."""
 
@@ -68,24 +68,17 @@ NAME = 250
 
 
 class Files:
-    """What there is to be found, by name.
-
-    Attributes:
-        libraries: a place of each. programs: all places in the workspace of what can be started. commands: a place of each in
-            a folder for programs. launches: of launch files. modules: of Python, with the folders that have them.
-            distributions: names of packages of Python, as indexes compare them. sources: of Python in the working folder, as
-            paths without their endings. manifests: folders of sources that have one, with the name of the package.
-    """
+    """Files by name, with their places."""
 
     def __init__(self) -> None:
         self.libraries: dict[str, str] = {}
-        self.programs: dict[str, list[str]] = {}
-        self.commands: dict[str, str] = {}
-        self.modules: dict[str, set[Path]] = {}
-        self.distributions: set[str] = set()
-        self.sources: set[str] = set()
-        self.launches: dict[str, list[str]] = {}
-        self.manifests: dict[str, str] = {}
+        self.programs: dict[str, list[str]] = {}  # in the workspace
+        self.commands: dict[str, str] = {}  # in folders for programs
+        self.launches: dict[str, list[str]] = {}  # launch files
+        self.modules: dict[str, set[Path]] = {}  # of Python, with the folders that have them
+        self.distributions: set[str] = set()  # names of packages of Python, as indexes compare them
+        self.sources: set[str] = set()  # of Python in the workspace: paths without their endings
+        self.manifests: dict[str, str] = {}  # names of packages, by their folders of sources
 
     def add(self, root: Path, below: str = "") -> Files:
         """Adds what a folder of a root has."""
@@ -124,8 +117,8 @@ class Files:
         return next((self.manifests[folder] for folder in above if folder in self.manifests), "")
 
     def has_module(self, name: str, beside: Path) -> bool:
-        """Whether Python finds a module: in its folders, or beside the script that asks. Only of packages in the install space do
-        the parts of a name count: others may make theirs as they like."""
+        """Whether Python finds a module: in its folders, or beside the script that asks. Packages outside of the install space may make
+        modules as they like, so only their first name counts."""
         is_odd = "" in name.split(".") or "/" in name  # an entry point may say anything
         if is_odd or len(name.encode("utf-8", "replace")) > NAME:
             return False
@@ -144,7 +137,7 @@ class Files:
 
 
 def _leads_somewhere(path: str) -> bool:
-    """Whether a file is no link to nothing; of a link with a whole path nobody knows here."""
+    """Whether a file is no link to nothing. An absolute link cannot be followed here, and counts."""
     return not os.path.islink(path) or os.path.isabs(os.readlink(path)) or os.path.exists(path)
 
 
@@ -159,8 +152,9 @@ class Lacking:
     """What is lost and what is absent, each in a sentence.
 
     Args:
-        runtime: the image without the app. workspace: a root with the workspace alone: it has the install space. around: roots with what
-            was there besides when the packages were built. packages: of the app.
+        runtime: the image without the app.
+        workspace: a root that has only the workspace with the install space.
+        around: other roots of the build.
     """
 
     def __init__(self, runtime: Path, workspace: Path, around: Sequence[Path], packages: Iterable[str]) -> None:
@@ -184,15 +178,11 @@ class Lacking:
                 elif path.is_file():
                     self._file(path)
 
-    def _place(self, path: Path) -> str:
-        """A path of one of the roots, from that root on."""
-        return next(str(path.relative_to(root)) for root in self._roots if root in path.parents)
-
     def _shown(self, path: Path) -> str:
         return str(path.relative_to(self._install))
 
     def _say(self, path: Path, what: str, before: str) -> None:
-        """Says that a file asks for what is not there; `before`: where it was when the packages were built, if anywhere."""
+        """`before`: where it was when the packages were built; empty if nowhere."""
         if before:
             self.lost.add(f"{self._shown(path)} needs {what}, which is in no image: {before}")
         else:
@@ -211,13 +201,11 @@ class Lacking:
                     if os.path.basename(name) not in self._image.libraries and not DRIVER.fullmatch(name):
                         self._say(path, name, self._before.libraries.get(os.path.basename(name), ""))
         elif os.access(path, os.X_OK) and re.match(rb"#![^\n]*\r\n", _bytes(path, LINE)):
-            self.lost.add(
-                f"{self._shown(path)} cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them"
-            )
+            what = "cannot start: its lines end with CR LF, as on Windows; dos2unix corrects them"
+            self.lost.add(f"{self._shown(path)} {what}")
         elif _bytes(path, len(POINTER)) == POINTER:
-            self.lost.add(
-                f"{self._shown(path)} is a pointer of Git LFS in the place of the file: git lfs pull fetches it"
-            )
+            what = "is a pointer of Git LFS in the place of the file: git lfs pull fetches it"
+            self.lost.add(f"{self._shown(path)} {what}")
         elif path.name == "entry_points.txt" and path.parent.suffix in (".egg-info", ".dist-info"):
             self._entry_points(path)
         elif path.name.endswith(LAUNCH):
@@ -269,37 +257,27 @@ class Lacking:
         return min((x for x in places if WORK.match(x) and self._before.owner(x) == package), default="")
 
     def imported(self, layer: Path) -> dict[str, str]:
-        """Modules that files of the install space import in any case, and that the image has: names, each with the first of these files.
-
-        Args:
-            layer: the files of the app; what it has itself does not count.
-        """
+        """Modules of the image, and not of the app's layer, that files of the install space import in any case: each with the first."""
         of_app, of_image = Files().add(layer).modules, self._of_image.modules
         imports: dict[str, str] = {}
         for path in sorted(self._install.rglob("*")):
             if path.is_symlink() or not path.is_file() or not _is_python(path):
                 continue
-            for name in (name.partition(".")[0] for name in _absolute(path)):
-                if name in of_image and name not in of_app and name not in STANDARD:
+            for level, whole_name in _imports(path):
+                name = whole_name.partition(".")[0]
+                if not level and name in of_image and name not in of_app and name not in STANDARD:
                     imports.setdefault(name, self._shown(path))
         return imports
 
     def distributions(self, layer: Path) -> set[str]:
-        """Names of packages of Python that the image has, and the app has not itself.
-
-        Args:
-            layer: the files of the app.
-        """
+        """Names of packages of Python that the image has, and the app's layer does not."""
         return self._of_image.distributions - Files().add(layer).distributions
 
     def forgotten(self) -> dict[str, str]:
-        """Launch files and programs that no image has: `PACKAGE NAME`, with the place of each in the sources or the build. Nothing
-        may start them: whoever writes the command knows."""
+        """Launch files and programs that no image has: `PACKAGE NAME`, with their places in the sources or the build."""
         places_by_name = {}
-        for before, image in (
-            (self._before.launches, self._image.launches),
-            (self._before.programs, self._image.programs),
-        ):
+        pairs = [(self._before.launches, self._image.launches), (self._before.programs, self._image.programs)]
+        for before, image in pairs:
             for name, places in before.items():
                 for package in {self._before.owner(place) for place in places if WORK.match(place)} & self._packages:
                     if not _is_of(image.get(name, []), package):
@@ -320,23 +298,12 @@ class Lacking:
         if path in self._seen:
             return
         self._seen.add(path)
-        for line in _body(path):
-            if isinstance(line, ast.Import):
-                names = [item.name for item in line.names]
-            elif isinstance(line, ast.ImportFrom) and line.module and not line.level:
-                names = [line.module]
-            elif isinstance(line, ast.ImportFrom) and line.level:
-                names = self._relative(path, line)
-            else:
-                continue
-            for name in names:
-                self._import(path, name, beside)
-
-    def _relative(self, path: Path, line: ast.ImportFrom) -> list[str]:
         parts = path.relative_to(self._install).parts
         start = next((number for number, part in enumerate(parts) if part in ("site-packages", "dist-packages")), None)
-        above = parts[start + 1 : len(parts) - line.level] if start is not None else ()
-        return [".".join([*above, *(line.module or "").split(".")]).strip(".")] if above else []
+        for level, name in _imports(path):
+            above = parts[start + 1 : len(parts) - level] if level and start is not None else ()
+            if above or not level:
+                self._import(path, ".".join([*above, name]).strip("."), beside)
 
     def _import(self, path: Path, name: str, beside: Path, entry: str = "") -> None:
         first = name.partition(".")[0]
@@ -345,7 +312,8 @@ class Lacking:
         if not self._image.has_module(name, beside):
             before = "its sources have it" if self._before.has_source(name) else ""
             if not before and first in self._before.modules and first not in self._image.modules:
-                before = min(self._place(folder) for folder in self._before.modules[first])
+                places = [(place, root) for place in self._before.modules[first] for root in self._roots]
+                before = min(str(place.relative_to(root)) for place, root in places if root in place.parents)
             what = f"the module {name}" + (f" for {entry}" if entry else "")
             self._say(path, what, before or ("nor is it in its sources" if entry else ""))
             return
@@ -364,7 +332,7 @@ def normal(name: str) -> str:
 
 
 def _is_of(places: Iterable[str], package: str) -> bool:
-    """Whether a package has installed one of these files, where ROS looks for it."""
+    """Whether one of these files is where ROS looks for a package's."""
     return any(way in place for place in places for way in (f"/lib/{package}/", f"/share/{package}/"))
 
 
@@ -395,7 +363,6 @@ def _launched(path: Path) -> Iterator[tuple[str, str]]:
 
 def _read(path: Path) -> Iterator[tuple[str, str]]:
     """Files that a launch file in XML reads in any case: packages, and paths in them."""
-
     if path.suffix not in (".launch", ".xml"):
         return
     try:
@@ -423,13 +390,13 @@ def _body(path: Path) -> list[ast.stmt]:
         return []
 
 
-def _absolute(path: Path) -> Iterator[str]:
-    """The modules that a file imports in any case, by their whole names."""
+def _imports(path: Path) -> Iterator[tuple[int, str]]:
+    """The modules that a file imports in any case: how many points stand before their names, and these."""
     for line in _body(path):
         if isinstance(line, ast.Import):
-            yield from (item.name for item in line.names)
-        elif isinstance(line, ast.ImportFrom) and line.module and not line.level:
-            yield line.module
+            yield from ((0, item.name) for item in line.names)
+        elif isinstance(line, ast.ImportFrom):
+            yield line.level, line.module or ""
 
 
 def _is_python(path: Path) -> bool:

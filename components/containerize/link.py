@@ -3,9 +3,8 @@
 
     link.py OUT
 
-OUT gets a line for each thing that it does not find, in JSON: the linker's words about a file of the install space, Python's about
-an entry point, or a module that a script, a module or a launch file imports. Nothing of the app is started but the dynamic linker, and what its modules do when they are imported. Each has
-`SECONDS`.
+OUT gets a line for each thing that it does not find, in JSON. Nothing of the app runs but the dynamic linker, and what its modules do
+when they are imported, for `SECONDS` each.
 """
 
 from __future__ import annotations
@@ -34,7 +33,7 @@ SOURCE, STATEMENTS = 256 << 10, 20_000
 
 
 def files() -> Iterator[Path]:
-    """Programs and libraries of the install space."""
+    """Programs and libraries."""
     for above, _, names in os.walk(INSTALL):
         for name in sorted(names):
             path = Path(above, name)
@@ -45,7 +44,7 @@ def files() -> Iterator[Path]:
 
 
 def modules() -> Iterator[str]:
-    """Modules of Python that entry points of the install space name."""
+    """Those that entry points name."""
     names = set()
     for path in INSTALL.rglob("entry_points.txt"):
         for line in path.read_text("utf-8", "replace").split("\n"):
@@ -57,7 +56,7 @@ def modules() -> Iterator[str]:
 
 
 def sources() -> Iterator[Path]:
-    """Scripts and modules of Python of the install space, also launch files."""
+    """Scripts and modules of Python, also launch files."""
     for path in sorted(INSTALL.rglob("*")):
         if path.is_file() and not path.is_symlink():
             with open(path, "rb") as file:
@@ -67,7 +66,7 @@ def sources() -> Iterator[Path]:
 
 
 def not_found() -> Iterator[str]:
-    """Modules that no folder of Python has, and that a file imports in any case. Python looks for them, and runs nothing of them."""
+    """Modules that a file imports in any case, and no folder of Python has. Nothing of them runs."""
     looked: dict[str, bool] = {}
     for path in sources():
         with open(path, "rb") as file:
@@ -89,16 +88,10 @@ def not_found() -> Iterator[str]:
 
 
 def called(command: list[str]) -> tuple[int, str]:
-    """The exit code and the last output of a program."""
+    """The exit code and the output of a program."""
+    null, pipe, same = subprocess.DEVNULL, subprocess.PIPE, subprocess.STDOUT
     try:
-        done = subprocess.run(
-            command,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            timeout=SECONDS,
-            check=False,
-        )
+        done = subprocess.run(command, stdin=null, stdout=pipe, stderr=same, timeout=SECONDS, check=False)
     except subprocess.TimeoutExpired:
         return 124, f"nothing for {SECONDS} s"
     except OSError as error:  # such as a name of a module that no call can have
@@ -107,7 +100,6 @@ def called(command: list[str]) -> tuple[int, str]:
 
 
 def linked(path: Path) -> list[str]:
-    """What the linker does not find for a file."""
     output = called(["ldd", "-r", str(path)])[1]
     name = str(path.relative_to(INSTALL))
     lines = (ADDRESS.sub("", line).strip() for line in output.split("\n"))
@@ -115,7 +107,6 @@ def linked(path: Path) -> list[str]:
 
 
 def imported(module: str) -> list[str]:
-    """What Python says if a module cannot be imported."""
     code, output = called([sys.executable, "-c", f"import {module}"])
     lines = [line for line in output.split("\n") if line.strip()]
     return [f"import {module}: {lines[-1].strip()[:LINE] if lines else f'exit code {code}'}"] if code else []

@@ -1,10 +1,5 @@
 #!/usr/bin/env python3
-"""The ROS packages below a folder, and those of them that are to be left out.
-
-    manifests.py FOLDER LEFT_OUT
-
-Removes the packages that the list LEFT_OUT names from FOLDER.
-"""
+"""Removes the ROS packages that a list names from a folder: manifests.py FOLDER LEFT_OUT"""
 
 from __future__ import annotations
 
@@ -20,7 +15,6 @@ from catkin_pkg.package import parse_package
 IGNORED = {"COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE"}
 """Files that keep colcon from looking for packages in a folder."""
 
-
 PROJECT = re.compile(r"""^[ \t]*project[ \t]*\([ \t]*"?([\w.+-]+)""", re.IGNORECASE | re.MULTILINE)
 """How a CMakeLists.txt names its package, as colcon reads it."""
 
@@ -30,10 +24,8 @@ def fail(message: str, remedy: str) -> NoReturn:
 
 
 def _manifests(folder: Path) -> list[Path]:
-    """The package.xml of all packages, as colcon finds them: none in an ignored folder, and none inside of another package. Of
-    folders that are in no package, the CMakeLists.txt.
-
-    A folder behind a link is one of them, once, unless the link leads out."""
+    """The package.xml of all packages, as colcon finds them: none in an ignored folder, and none inside of another package. Of a folder
+    in no package, the CMakeLists.txt. A folder behind a link counts once, unless the link leads out."""
     paths = []
     seen = set()
     top = os.path.realpath(folder)
@@ -53,7 +45,7 @@ def _manifests(folder: Path) -> list[Path]:
 
 
 def shown(place: Path) -> Path:
-    """A place as the user knows it: below the repository, or in `upstream`."""
+    """A place as the user knows it."""
     return place.relative_to("target") if place.parts[:1] == ("target",) else place
 
 
@@ -77,10 +69,8 @@ def all_packages(folder: Path) -> dict[str, tuple[Path, Any]]:
         place = path.parent.relative_to(folder)
         package = _parsed(path, shown(place) / path.name)
         if package.name in by_name:
-            fail(
-                f"two packages are called {package.name}: {shown(by_name[package.name][0])} and {shown(place)}",
-                "put COLCON_IGNORE into one",
-            )
+            places = f"{shown(by_name[package.name][0])} and {shown(place)}"
+            fail(f"two packages are called {package.name}: {places}", "put COLCON_IGNORE into one")
         by_name[package.name] = place, package
     return by_name
 
@@ -88,7 +78,8 @@ def all_packages(folder: Path) -> dict[str, tuple[Path, Any]]:
 def plain(folder: Path) -> set[str]:
     """The names of packages without a manifest: colcon builds them, and before those that name them."""
     files = [path for path in _manifests(folder) if path.name != "package.xml" and path.is_file()]
-    return {name for path in files for name in PROJECT.findall(path.read_text("utf-8", "replace"))[:1]}
+    matches = (PROJECT.search(path.read_text("utf-8", "replace")) for path in files)
+    return {match[1] for match in matches if match}
 
 
 def packages(folder: Path, left_out: Path) -> list[tuple[Path, Any]]:

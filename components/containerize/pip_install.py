@@ -3,9 +3,9 @@
 
     pip_install.py WRITTEN LOCKED ARGUMENT…
 
-The arguments are those of pip. WRITTEN gets a line for each package, beside those that it has. LOCKED is such a list: if it is
-there, its archives are installed by their hashes, and this fails if pip then installs something else. pip before 22.2 says no hashes. A requirement that is a folder has no line.
-The lines go into images and lock files, so addresses in them have no user, password or query, which may be a secret.
+WRITTEN gets more lines, one for each package. LOCKED is such a list: if it exists, its archives are installed by their hashes, and this
+fails if pip then installs something else. pip before 22.2 says no hashes, and a folder has no line. The lines go into images and lock
+files, so their addresses have no user, password or query, which may be a secret.
 """
 
 from __future__ import annotations
@@ -37,11 +37,7 @@ def fail(message: str, remedy: str) -> NoReturn:
 
 
 def address(url: str) -> str:
-    """An address without a user, a password and a query. The user of ssh stays: it is no secret, and nothing is found without it.
-
-    Raises:
-        ValueError: it is no address.
-    """
+    """An address without a user, a password and a query. The user of ssh stays: it is needed, and no secret. May raise ValueError."""
     parts = urlsplit(url)
     user, at, host = parts.netloc.rpartition("@")
     kept = user.partition(":")[0] + at if parts.scheme.endswith("ssh") else ""
@@ -49,13 +45,10 @@ def address(url: str) -> str:
 
 
 def line(name: str, version: str, info: dict[str, Any], direct: bool) -> str:
-    """A requirement that means this archive, or this commit, and no other; empty for a folder.
+    """A requirement of exactly this archive or commit; empty for a folder. Raises an error of DAMAGED if pip describes no place so.
 
     Args:
         info: where it is from, as in direct_url.json. direct: the user named that place.
-
-    Raises:
-        AttributeError, KeyError, TypeError, ValueError: pip does not describe a place so.
     """
     if not (NAME.fullmatch(name) and VERSION.fullmatch(version)):
         raise ValueError(f"{name!r} {version!r} is no package")
@@ -76,14 +69,14 @@ SHA256 = re.compile("[0-9a-f]{64}")
 
 
 def digest(archive: dict[str, Any]) -> str:
-    """The SHA-256 of an archive; empty where pip says none, or another kind of hash alone."""
+    """The SHA-256 of an archive; empty if pip says none."""
     kind, _, value = archive.get("hash", "").partition("=")
     sha256 = archive.get("hashes", {}).get("sha256", value if kind == "sha256" else "")
     return sha256 if SHA256.fullmatch(sha256) else ""
 
 
 def fragment(sha256: str, info: dict[str, Any]) -> str:
-    """The end of an address: the hash of an archive, and the folder in it that has the package."""
+
     parameters = (("sha256", sha256), ("subdirectory", info.get("subdirectory", "")))
     text = "&".join(f"{name}={value}" for name, value in parameters if value)
     return f"#{text}" if text else ""
@@ -99,15 +92,10 @@ PLACE = "direct_url.json"
 """Where a package says what place a user named for it."""
 
 DAMAGED = (AttributeError, KeyError, RecursionError, TypeError, ValueError)
-"""What reading a description of another shape raises."""
 
 
 def requirements(report: bytes) -> list[str]:
-    """A line for each package that pip's report says.
-
-    Raises:
-        SystemExit: it is no such report.
-    """
+    """A line for each package of pip's report."""
     try:
         items = json.loads(report)["install"]
         metadata = [(item["metadata"], item["download_info"], item["is_direct"]) for item in items]
@@ -117,7 +105,7 @@ def requirements(report: bytes) -> list[str]:
 
 
 def reported(arguments: Sequence[str]) -> list[str]:
-    """Installs; gives a line for each package, as pip says them."""
+    """Installs. Returns a line for each package of pip's report."""
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.json"
         run(["--report", str(report), *arguments])
@@ -125,7 +113,7 @@ def reported(arguments: Sequence[str]) -> list[str]:
 
 
 def installed() -> set[str]:
-    """What is installed, as lines without hashes. A folder that does not say which package it is counts for none, as for pip."""
+    """What is installed, as lines without hashes. A damaged folder counts for none, as for pip."""
     lines = set()
     for item in distributions():
         try:
@@ -137,18 +125,14 @@ def installed() -> set[str]:
 
 
 def compared(arguments: Sequence[str]) -> list[str]:
-    """Installs; gives a line for each package that was not there before."""
+    """Installs. Returns a line for each package that is new."""
     before = installed()
     run(arguments)
     return [item for item in installed() if item not in before]
 
 
 def forget_secrets(names: Container[str]) -> None:
-    """Has packages say where they are from without a user, a password and a query: pip keeps queries in the image.
-
-    Args:
-        names: of packages that were installed now. Those of the base image stay as they are.
-    """
+    """Removes users, passwords and queries from the addresses of packages, which pip keeps in the image. `names`: of new ones."""
     for item in distributions():
         try:
             direct_url_files = [
@@ -173,10 +157,9 @@ def forget_secrets(names: Container[str]) -> None:
 
 def knows_report() -> bool:
     """Whether pip can say what it installed."""
-    output = subprocess.run(
-        [sys.executable, "-m", "pip", "--version"], check=True, stdout=subprocess.PIPE
-    ).stdout.decode()
-    version = re.match(r"pip (\d+)\.(\d+)", output)
+    command = [sys.executable, "-m", "pip", "--version"]
+    output = subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout
+    version = re.match(rb"pip (\d+)\.(\d+)", output)
     return version is not None and (int(version[1]), int(version[2])) >= (22, 2)
 
 
@@ -185,7 +168,7 @@ def lines_of(file: Path) -> list[str]:
 
 
 def constraints(locked: Iterable[str]) -> str:
-    """What keeps pip at these versions. A place cannot be constrained that the user names another way."""
+    """What keeps pip at these versions. pip cannot constrain an address."""
     return "".join(f"{item.partition(' ')[0]}\n" for item in sorted(locked) if " @ " not in item)
 
 
@@ -196,7 +179,7 @@ SWITCHES = ("--no-index", "--pre", "--prefer-binary")
 
 
 def from_where(arguments: Sequence[str], depth: int = 0) -> list[str]:
-    """The options among arguments of pip, and in the files of requirements that they name, that say where archives come from."""
+    """The options of pip that say where archives come from, also those in files of requirements."""
     options: list[str] = []
     words = iter(arguments)
     for word in words:
@@ -233,16 +216,8 @@ def words_of(text: str) -> list[str]:
 def take_locked(
     locked: Iterable[str], arguments: Sequence[str], install: Callable[[Sequence[str]], list[str]]
 ) -> list[str]:
-    """Installs the archives of a lock file by their hashes: pip compares an archive before it runs or unpacks anything of it.
-
-    Args:
-        locked: lines of the lock file. Those without a hash are left to pip: of a repository, whose commit they name, or by an old pip.
-        arguments: those of pip, which say from where.
-        install: calls pip.
-
-    Returns:
-        A line for each package that was not there.
-    """
+    """Installs the archives of a lock file by their hashes, so pip compares one before it runs or unpacks anything of it. Lines without
+    a hash are left out: of a repository, whose commit they name, or by an old pip. Returns a line for each new package."""
     hashed = [item for item in sorted(locked) if "sha256" in item]
     if not hashed:
         return []
@@ -259,15 +234,15 @@ def take_locked(
 
 
 def hashes_of(lines: Iterable[str]) -> set[str]:
-    """The hashes in lines of a lock file."""
+
     return {sha256 for item in lines for sha256 in SHA256.findall(item)}
 
 
 def without_others(place: str, names: Container[str], hashes: Container[str], new: Path) -> str:
-    """A folder without the archives of locked packages that are not the locked ones; any other place as it is.
+    """A folder without other archives of locked packages than the locked ones; any other place as it is.
 
-    An index says hashes, and pip chooses by them. Of a folder, pip takes the best archive by its name and only then compares. What a
-    package is built with is in no lock file, and stays.
+    Of a folder, pip takes the best archive by its name and only then compares hashes. What a package is built with is in no lock file,
+    and stays.
     """
     folder = Path(url2pathname(place[len("file:") :]) if place.startswith("file:") else place)
     if not folder.is_dir():
@@ -289,11 +264,7 @@ def sha256_of(file: Path) -> str:
 
 
 def require_locked(locked: Iterable[str], arguments: Sequence[str]) -> None:
-    """Checks that a lock file has what is asked for, before pip runs anything of it.
-
-    Raises:
-        SystemExit: it lacks a package that is asked for by its name, or an archive that is named.
-    """
+    """Checks that a lock file has the packages and archives that are asked for, before pip runs anything of them."""
     lines = list(locked)
     names, hashes = {normal(re.split("[ =]", item, maxsplit=1)[0]) for item in lines}, hashes_of(lines)
     names |= {normal(item.metadata["Name"] or "") for item in distributions()}  # what is there, pip leaves alone
@@ -313,7 +284,7 @@ ASKED = re.compile(r"([A-Za-z0-9](?:[A-Za-z0-9._-]*[A-Za-z0-9])?)(?:\[[^]]*\])?(
 
 
 def requested(arguments: Sequence[str], depth: int = 0) -> list[str]:
-    """What is asked for among arguments of pip, and in the files of requirements that they name."""
+    """What arguments of pip ask for, also in files of requirements."""
     requirements: list[str] = []
     words = iter(arguments)
     for word in words:

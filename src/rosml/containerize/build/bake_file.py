@@ -253,7 +253,6 @@ def steps(services: Services, environment: Container[str], platforms: Iterable[s
     return {"platforms": list(platforms), "secret": secrets, **host}
 
 
-
 def _text(content: Mapping[str, Any]) -> str:
     return json.dumps(_literal(content), indent=2) + "\n"
 

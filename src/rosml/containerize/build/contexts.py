@@ -148,7 +148,6 @@ def _distribution(call: Call, base: Base) -> tuple[str, str]:
     return distribution, distribution
 
 
-
 def _write_manifests(call: Call, roots: Mapping[str, Path], out: Path) -> dict[str, int]:
     counts = workspace.write_manifests(roots, out, call.say)
     if call.values.downstream_workspace and not counts["downstream"]:

@@ -14,6 +14,7 @@ import stat
 from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from pydantic import ConfigDict, Field
 
@@ -145,8 +146,16 @@ class Report(Shape):
 
 @functools.cache
 def form() -> str:
-    """The present form of reports. The docstrings of their models count: if you change one, kept reports are dropped."""
-    return _digest(Report.model_json_schema())
+    """The present form of reports: the fields of their models, and not what docstrings say of them."""
+    return _digest(_without_descriptions(Report.model_json_schema()))
+
+
+def _without_descriptions(schema: Any) -> Any:
+    if isinstance(schema, dict):
+        # A description is a text; a field of that name has a schema.
+        texts = {key: value for key, value in schema.items() if key != "description" or not isinstance(value, str)}
+        return {key: _without_descriptions(value) for key, value in texts.items()}
+    return [*map(_without_descriptions, schema)] if isinstance(schema, list) else schema
 
 
 class Cache:
