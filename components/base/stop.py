@@ -1,17 +1,16 @@
 #!/usr/bin/python3 -IS
 """Stops what runs in a container: each process gets the signal on which it saves, once. Ends when all of them have ended.
 
-The entrypoint calls it when a stop arrives: `stop.py SIGNAL CHILD`, with the process id of its child.
+The entrypoint calls it when a stop arrives: `stop.py SIGNAL CHILD`, with the process id of its child. An engine's stop reaches one process
+alone, and a shell would end at once and hand nothing on.
 
-An engine's stop reaches one process. If that is a shell, it ends at once and hands nothing on.
-
-- A shell gets SIGTERM: it starts nothing further, and a trap of its own runs. If it has one, its children have a second to get what
-  that sends. An interactive one ignores SIGTERM; it gets SIGHUP after all others have ended.
+- A shell gets SIGTERM: it starts nothing further, and its trap runs. If it has one, that has a second to signal the children. An
+  interactive shell ignores SIGTERM; it gets SIGHUP after all others have ended.
 - ROS's commands, and programs with ROS 2's client library, get SIGINT: `rosbag` and `ros2 launch` save nothing on SIGTERM.
-- Of all others, who handles SIGTERM gets it; who handles SIGINT alone (C++ nodes of ROS 1, Python) gets that.
-- Who handles SIGTERM stops its own children, as roslaunch does, and so does ros2 launch: they get nothing from here as long as it
-  lives. The children of others that get SIGINT get it too, as on Ctrl-C, which is what such programs expect.
-- Who reads the output of another one, such as `tee`, ends after it.
+- All others get SIGTERM if they handle it, else SIGINT if they handle that (C++ nodes of ROS 1, Python).
+- A process that handles SIGTERM, and ros2 launch, stops its children itself: they get nothing as long as it lives. The children of
+  others that get SIGINT get it too, as on Ctrl-C.
+- A process that reads the output of another one, such as `tee`, ends after it.
 """
 
 import os
@@ -24,31 +23,23 @@ from typing import Dict, Iterator, List, NamedTuple, Optional, Set, Tuple
 SHELLS = ("ash", "bash", "busybox", "dash", "fish", "ksh", "sh", "zsh")
 ROS = re.compile(r"(.*/)?ros[a-z0-9]+")
 TERMINALS = ("/dev/pts/", "/dev/tty", "/dev/console")
-CLIENT = "/librcl"
-"""How the path of ROS 2's client library goes on after its folder, also in wheels."""
-
-SECONDS = 0.05
-"""Between two looks."""
-
-TRAP = 1.0
-"""Seconds that a trap of a shell has: bash runs it at once if the script waits, and otherwise after what it waits for has ended."""
+CLIENT = "/librcl"  # ROS 2's client library, also in wheels
+SECONDS = 0.05  # between two looks
+TRAP = 1.0  # seconds for the trap of a shell: bash runs it at once in `wait`, and otherwise after the present command
 
 Identity = Tuple[int, str]
 
 
 class Process(NamedTuple):
-    """A process. Attributes: started: with the pid it is unique. stdin, outputs: what its first file descriptors lead to; empty where
-    that is a secret. ignores, catches: sets of signals, bit by bit."""
-
     pid: int
-    started: str
+    started: str  # with the pid it is unique
     parent: int
     group: int
     program: str
     words: Tuple[str, ...]
-    stdin: str
+    stdin: str  # where its first file descriptors lead to; empty if it cannot be read
     outputs: Tuple[str, str]
-    ignores: int
+    ignores: int  # signals, bit by bit
     catches: int
 
     @property
@@ -56,11 +47,9 @@ class Process(NamedTuple):
         return self.pid, self.started
 
     def handles(self, number: int) -> bool:
-        """Whether it has a handler for a signal."""
         return bool(self.catches >> (number - 1) & 1)
 
     def passes_over(self, number: int) -> bool:
-        """Whether it ignores a signal."""
         return bool(self.ignores >> (number - 1) & 1)
 
     @property
@@ -78,17 +67,14 @@ class Process(NamedTuple):
 
     @property
     def is_launch(self) -> bool:
-        """Whether it is `ros2 launch`."""
         return os.path.basename(self.script[0]) == "ros2" and self.script[1:2] == ("launch",)
 
     @property
     def has_terminal(self) -> bool:
-        """Whether its standard input is a terminal, as far as it cares."""
         return self.stdin.startswith(TERMINALS) and not (self.is_launch and {"-n", "--noninteractive"} & {*self.script})
 
     @property
     def is_ros(self) -> bool:
-        """Whether it is a command of ROS, or has ROS 2's client library."""
         if ROS.fullmatch(self.script[0]):
             return True
         try:
@@ -99,12 +85,11 @@ class Process(NamedTuple):
 
 
 class Sent(NamedTuple):
-    """What a process got; 0 for nothing. Attributes: until: its children are its own affair until then, by the monotonic clock.
-    group: those of this group get SIGINT as well."""
+    """What a process got; 0 for nothing."""
 
     number: int
-    until: float = 0
-    group: Optional[int] = None
+    until: float = 0  # its children are its own affair until then, by the monotonic clock
+    group: Optional[int] = None  # processes of this group get SIGINT as well
 
 
 ALWAYS = float("inf")
@@ -148,7 +133,6 @@ def _link(path: str) -> str:
 
 
 def ancestors(processes: Dict[int, Process], pid: int) -> Iterator[int]:
-    """A process, its parent, and so on."""
     while pid in processes:
         yield pid
         pid = processes[pid].parent
@@ -158,11 +142,7 @@ def ancestors(processes: Dict[int, Process], pid: int) -> Iterator[int]:
 
 
 def signal_for(process: Process, number: int, is_orphan: bool) -> Sent:
-    """What a process gets that nobody else stops.
-
-    Args:
-        number: the signal that the container got. is_orphan: the parent that should have stopped it is gone.
-    """
+    """What a process gets that nobody else stops. `is_orphan`: its parent should have stopped it, and is gone."""
     terminates, interrupts = (process.handles(item) for item in (signal.SIGTERM, signal.SIGINT))
     if process.is_shell:
         return Sent(number, time.monotonic() + TRAP if terminates else 0)
@@ -174,22 +154,14 @@ def signal_for(process: Process, number: int, is_orphan: bool) -> Sent:
 
 
 class Stop:
-    """A stop. Attributes: number: the signal that the container got."""
-
     def __init__(self, number: int) -> None:
-        self.number = number
+        self.number = number  # the signal that the container got
         self.sent: Dict[Identity, Sent] = {}
-        self.deferred: Set[Identity] = set()
-        """Processes whose parent should stop them."""
-        self.others: Set[Identity] = set()
-        """Processes of another user."""
+        self.deferred: Set[Identity] = set()  # processes whose parent should stop them
+        self.others: Set[Identity] = set()  # processes of another user
 
     def step(self, scope: Dict[int, Process]) -> bool:
-        """Signals processes that have got nothing, once they can get it. Returns whether some still run.
-
-        Args:
-            scope: what runs of the container.
-        """
+        """Signals processes of the container that have got nothing, once they can get it. Returns whether some still run."""
         scope = {pid: process for pid, process in scope.items() if process.identity not in self.others}
         for process, sent in [*self.due(scope)]:
             self.tell(process, sent)
@@ -204,7 +176,6 @@ class Stop:
         return bool(shells)
 
     def tell(self, process: Process, sent: Sent) -> None:
-        """Sends a signal."""
         self.sent[process.identity] = sent
         try:
             os.kill(process.pid, sent.number)
@@ -236,11 +207,7 @@ class Stop:
             pending += [(child, sent) for child in children.get(process.pid, [])]
 
     def new(self, process: Process, above: Sent) -> Sent:
-        """What one gets that has got nothing.
-
-        Args:
-            above: what its parent got.
-        """
+        """What a process gets that has got nothing. `above`: what its parent got."""
         if process.is_interactive:
             return Sent(0)
         if above.group is not None:
@@ -252,12 +219,8 @@ class Stop:
 
 
 def main(number: int, child: int, *words: str) -> None:
-    """Stops all that runs.
-
-    Args:
-        number: the signal that the container got. child: the entrypoint's. words: `terminal`, if the command is the child of that
-            child; `all`, if process 1 is the container's own, so that all processes are.
-    """
+    """`child`: the entrypoint's. `words`: `terminal`, if the command is the child of that child; `all`, if process 1 is the container's own,
+    so that all processes are."""
     stop, identities = Stop(number), set()  # type: Stop, Set[Identity]
     while True:
         processes = running()

@@ -84,7 +84,6 @@ def moved(entry: Entry, places: dict[str, str]) -> Entry:
 
 
 def write(file: Path, entries: list[Entry]) -> None:
-
     text = json.dumps(entries, indent=1) + "\n"
     try:
         if file.read_text(encoding="utf-8") == text:
@@ -99,7 +98,6 @@ def write(file: Path, entries: list[Entry]) -> None:
 
 
 def main(workspace: Path, folder: str) -> None:
-
     entries = read(workspace)
     if not entries:
         return

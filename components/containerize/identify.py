@@ -179,7 +179,6 @@ class Rosdep:
 
     @property
     def system(self) -> str:
-
         return f"{self._platform[0].capitalize()} {self._platform[1]}"
 
     def _resolve(self, key: str, above: tuple[str, ...] = ()) -> Iterator[Answer]:

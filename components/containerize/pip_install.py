@@ -76,7 +76,6 @@ def digest(archive: dict[str, Any]) -> str:
 
 
 def fragment(sha256: str, info: dict[str, Any]) -> str:
-
     parameters = (("sha256", sha256), ("subdirectory", info.get("subdirectory", "")))
     text = "&".join(f"{name}={value}" for name, value in parameters if value)
     return f"#{text}" if text else ""
@@ -234,7 +233,6 @@ def take_locked(
 
 
 def hashes_of(lines: Iterable[str]) -> set[str]:
-
     return {sha256 for item in lines for sha256 in SHA256.findall(item)}
 
 

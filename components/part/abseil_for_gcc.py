@@ -1,12 +1,10 @@
 #!/usr/bin/env python3
-"""Makes abseil in TensorFlow's headers the one of its libraries, whatever compiler reads it: they were compiled with Clang.
+"""Adapts abseil in TensorFlow's headers to its libraries, which were compiled with Clang, for all compilers. The records follow.
 
-* On arm64 Clang defines __ARM_ACLE: their hash reverses bits where GCC's reverses bytes. A map of protobuf that the library
-  filled would not find its keys in a program that GCC compiled: nothing is found, or a check ends the program.
-* Clang 18 and GCC give some templates different names. Headers say that the library has them, so that GCC makes none, and
-  programs with `LOG(INFO) << 1` or a check of protobuf's did not link. GCC makes its for_others here.
-
-The files' records follow.
+* On arm64 Clang defines __ARM_ACLE, and its hash reverses bits where GCC's reverses bytes: a program that GCC compiled would not find the
+  keys of a map that the library filled.
+* Clang 18 and GCC give some templates different names. The headers say that the library has them, so that programs with `LOG(INFO) << 1`
+  did not link. Here, GCC makes its own.
 """
 
 from __future__ import annotations
@@ -42,15 +40,11 @@ PROMISES = {
     ),
     CORD: re.compile(r"(?<!#ifdef __clang__\n)extern template (?:void )?Cord::(\w+)\(std::string&& src\);\n"),
 }
-"""What the headers say that the libraries have: templates whose names depend on the compiler."""
+"""Templates that the headers promise, and whose names depend on the compiler."""
 
 
 def hashed_alike(text: str) -> str:
-    """The header of the hash for arm64, of any release.
-
-    Raises:
-        SystemExit: it hashes in a way that is not known.
-    """
+    """The header of the hash for arm64, of any release."""
     if "__ARM_ACLE" not in text.partition("namespace absl")[2]:
         return text  # releases before 2025 hash alike
     if text.count(OLD) != 1:
@@ -59,7 +53,7 @@ def hashed_alike(text: str) -> str:
 
 
 def for_others(promise: re.Match[str]) -> str:
-    """What compilers other than Clang read in the place of a promise: nothing where the header has the template's body."""
+    """What other compilers than Clang read in place of a promise; nothing if the header has the template's body."""
     instead = ""
     if promise.re is PROMISES[CORD]:
         name = promise[1]

@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
-"""Writes into the metadata of installed wheels what they are found to need, where the lock says so.
-
-A line `# adapted: torch setuptools>=66.1.1` of the lock is about one requirement of one package, which had another bound;
-its marker stays. The record of the file follows.
+"""Changes the bound of a requirement in the metadata of a wheel, and its record, for each line of the lock such as
+`# adapted: torch setuptools>=66.1.1`. The marker stays.
 """
 
 from __future__ import annotations
@@ -20,11 +18,6 @@ LINE = re.compile(
 
 
 def adapt(package: str, name: str, bound: str) -> None:
-    """Changes one requirement of a package.
-
-    Raises:
-        SystemExit: the package is not there, or it does not ask for that once.
-    """
     files = list(records.SITE.glob(f"{package}-[0-9]*.dist-info/METADATA"))
     if len(files) != 1:
         sys.exit(f"adapt_metadata: {len(files)} packages are called {package}; correct 'adapted' in matrix.yaml")

@@ -1,14 +1,12 @@
 #!/usr/bin/env python3
 """Completes TensorFlow's C++ headers by what programs take for granted and the wheels lack.
 
-* Constants of SavedModel that are documented for C++: their headers are not in the wheels. The values are part of the file
-  format; a structure test compares them with Python's.
-* Eigen under the name that it has in TensorFlow's own sources and had in older wheels (`third_party/eigen3`).
-* The release: newer headers want it from the command line, and `TF_VERSION_STRING` went from `version.h` to another header.
-* The alignment that TensorFlow compiles Eigen with, on all architectures: a program that did not ask for it on the command
-  line would allocate memory in another way than the library frees it.
+* Constants of SavedModel, whose headers are not in the wheels. A structure test compares the values with Python's.
+* Eigen under the name that it has in TensorFlow's sources and had in older wheels (`third_party/eigen3`).
+* The release, which newer headers want from the command line, and whose `TF_VERSION_STRING` left `version.h`.
+* The alignment of Eigen in TensorFlow: with another one, a program would allocate memory in another way than the library frees it.
 
-Only defaults are added: what the command line defines counts. Records of the wheel follow.
+What the command line defines counts more. Records of the wheel follow.
 """
 
 from __future__ import annotations
@@ -47,10 +45,8 @@ CONSTANTS = {
         "kRegressOutputs": "outputs",
     },
 }
-"""Headers in the folder of SavedModel, and what they define."""
 
 EIGEN_NAMES = ("Eigen/Core", "unsupported/Eigen/CXX11/Tensor", "unsupported/Eigen/CXX11/ThreadPool")
-"""What programs include of Eigen as `third_party/eigen3/…`."""
 
 ALIGNMENT = """\
 // As TensorFlow's libraries were compiled.
@@ -61,17 +57,12 @@ ALIGNMENT = """\
 
 
 def header(constants: dict[str, str]) -> str:
-    """The text of a header with constants."""
     lines = [f'inline constexpr char {name}[] = "{value}";' for name, value in constants.items()]
     return "\n".join(["#pragma once", "", "namespace tensorflow {", *lines, "}  // namespace tensorflow", ""])
 
 
 def releases(wheel: str) -> dict[str, str]:
-    """Macros and their values, of `tensorflow_cpu-2.21.0rc1.dist-info`.
-
-    Raises:
-        SystemExit: that is no release.
-    """
+    """Macros and their values, from a name such as `tensorflow_cpu-2.21.0rc1.dist-info`."""
     match = re.search(r"-(\d+)\.(\d+)\.(\d+)([^-]*)\.dist-info$", wheel)
     if not match:
         sys.exit(f"complete_tensorflow: {wheel} names no release")
@@ -85,11 +76,7 @@ def releases(wheel: str) -> dict[str, str]:
 
 
 def with_defaults(text: str, macros: dict[str, str]) -> str:
-    """A header that ends with an error where a macro is not defined, with a default in the place of each error.
-
-    Raises:
-        SystemExit: it asks for a macro in another way.
-    """
+    """A header with defaults in the place of its errors about macros that are not defined."""
     for name, value in macros.items():
         text, count = re.subn(rf"(#ifndef {name}\n)#error [^\n]*\n", rf"\g<1>#define {name} {value}\n", text)
         if count != 1:
@@ -98,11 +85,7 @@ def with_defaults(text: str, macros: dict[str, str]) -> str:
 
 
 def after(text: str, line: str, added: str) -> str:
-    """A text with something behind a line.
-
-    Raises:
-        SystemExit: the line is not there exactly once.
-    """
+    """A text with an addition after its only line of this kind."""
     if text.count(line) != 1:
         sys.exit(f"complete_tensorflow: {line.strip()!r} is not where it is looked for")
     return text.replace(line, f"{line}{added}")

@@ -2,14 +2,13 @@
 """What pip and uv know of a part's packages.
 
   packages.py SLOT [LOCK...]
-      shows Python the packages of other parts, by their locks (<part>.txt), and writes to the slot what pip and uv keep to
-      (components/base/pip.conf)
+      shows Python the packages of other parts, by their locks (<part>.txt), and writes constraints for pip and uv to the slot
 
-Packages that match a line of the part's pins.txt keep their version; all do where there is no such file. Every other package
-may move as far as the part's own packages ask for it, so that `pip check` finds nothing.
+Packages that match a line of the part's pins.txt keep their version, or all if there is no such file. Others may move as far as the part's
+own packages ask for them, so that `pip check` finds nothing.
 
-Other parts are those for any Python, below /usr/local/lib/rosml, which are not here. uv looks at folders in the folder of
-Python's packages and follows neither a link to one nor a .pth file: so each package has a folder, with links in it.
+Other parts are those for any Python, below /usr/local/lib/rosml, which are not here. uv follows neither a link to a package's folder nor a
+.pth file, so each package has a folder with links.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ from pathlib import Path
 import records  # beside this script
 
 SHOWN = ("INSTALLER", "METADATA", "RECORD", "WHEEL")
-"""What every package has that uv installed. RECORD: whoever removes it removes its files, by way of the part's links."""
+"""Of each package that uv installed. By RECORD, a package is removed with its files."""
 
 REQUIREMENT = re.compile(
     r"(?P<name>[A-Za-z0-9][\w.-]*) *(?:\[[^]]*\])? *\(?(?P<range>[^;()]*)\)? *(?:; *(?P<marker>.*))?"
@@ -38,7 +37,7 @@ def normal(name: str) -> str:
 
 
 def show(lock: Path) -> None:
-    """Gives the packages of a lock folders whose files are those of the part that the lock is of."""
+    """Makes folders for the packages of a lock, with links to those of its part."""
     for name, version in re.findall(r"^([A-Za-z0-9._-]+)==([^ \\\n]+)", lock.read_text(), re.MULTILINE):
         folder = records.SITE / "{}-{}.dist-info".format(re.sub(r"[-.]+", "_", name), version)
         folder.mkdir()
@@ -75,7 +74,6 @@ def constraints() -> list[str]:
 
 
 def main(slot: str, *locks: str) -> None:
-    """Shows other parts' packages and fills the slot."""
     for lock in locks:
         if Path(lock).exists():  # the shell leaves a pattern as it is that nothing matches
             show(Path(lock))

@@ -1,19 +1,15 @@
 #!/usr/bin/env python3
 """Keeps a part and the wheels' own records of their files (RECORD) in agreement.
 
-  records.py prune    removes what no use of an image needs: files whose path matches a line of the part's prune.txt,
-                      and, where the part has a keep.txt, those that match no line of that
-  records.py verify   every recorded file is there, byte for byte as in the wheel, but for those that match a line of
-                      the part's adapted.txt, whose records follow what we ship; anything else fails
+  records.py prune    removes files that match a line of the part's prune.txt, and, if it has a keep.txt, those that match none of that
+  records.py verify   fails unless all recorded files are those of the wheel. Files that match a line of adapted.txt are recorded anew
   records.py link TARGET PATH...
-                      makes files, or folders with all that is in them, links to another part's at TARGET/PATH, and
-                      writes down what they were, so that a test can tell whether the other part's are the same
+                      makes files or whole folders links to another part's at TARGET/PATH, and writes down what they were, for a test
   records.py alias NAME WHEEL
-                      has a package NAME stand for the one that the wheel carries under another name; WHEEL is its
-                      folder, such as onnxruntime_gpu-1.23.2.dist-info
+                      makes a package NAME that stands for a wheel of another name; WHEEL is its folder, onnxruntime-1.23.2.dist-info
 
-Patterns are those of the shell, below the folder of the packages; `*` matches slashes as well. Lines that begin with #
-say why. uv has checked the wheels themselves against the lock's hashes before; this is about what became of them.
+Patterns are those of the shell, below the folder of the packages; `*` matches slashes as well. Lines that begin with # say why. uv has
+compared the wheels with the lock's hashes before.
 """
 
 from __future__ import annotations
@@ -41,7 +37,6 @@ def patterns(name: str) -> list[str]:
 
 
 def matching(path: str, globs: list[str]) -> str | None:
-    """The first pattern that a path matches, if any."""
     return next((pattern for pattern in globs if fnmatch.fnmatchcase(path, pattern)), None)
 
 
@@ -52,13 +47,12 @@ def read(record: Path) -> list[list[str]]:
 
 
 def write(record: Path, rows: list[list[str]]) -> None:
-    """Writes a RECORD."""
     with record.open("w", newline="", encoding="utf-8") as stream:
         csv.writer(stream, lineterminator="\n").writerows(rows)
 
 
 def replace(entries: dict[str, list[str]]) -> None:
-    """Replaces entries of the RECORDs that have them, by path; the rest of these files stays."""
+    """Replaces entries of all RECORDs, by path."""
     for record in SITE.glob("*.dist-info/RECORD"):
         rows = read(record)
         if any(row[0] in entries for row in rows):
@@ -78,7 +72,6 @@ NOT_KEPT = "what keep.txt does not name"
 
 
 def prune() -> None:
-    """Removes files, and folders that are empty then; says what that saves."""
     pruned, kept_alone = patterns("prune.txt"), patterns("keep.txt")
     saved = {pattern: [0, 0] for pattern in pruned}
     if kept_alone:
@@ -109,11 +102,6 @@ def prune() -> None:
 
 
 def link(target: str, *paths: str) -> None:
-    """Replaces files and folders by links to another part's.
-
-    Raises:
-        SystemExit: something in them is not what the wheel has, or is on no record.
-    """
     here: dict[str, list[list[str]]] = {path: [] for path in paths}
     for record in sorted(SITE.glob("*.dist-info/RECORD")):
         rows = read(record)
@@ -140,11 +128,8 @@ def link(target: str, *paths: str) -> None:
 
 
 def alias(name: str, wheel: str) -> None:
-    """Makes a package that stands for a wheel's. Nothing is made if the wheel has that name itself, or another wheel brings
-    such a package.
-
-    `pip install` of what depends on the name must find it: pip would put another wheel over this one. The files of the
-    wheel are on the package's record as well, so whoever replaces the package replaces them. Call it after `link`.
+    """Makes a package that stands for a wheel's, unless the wheel or another one has that name. Without it, pip would install another wheel
+    over this one for what depends on the name. Its record has the wheel's files, so who replaces it replaces them. Call it after `link`.
     """
     called, _, version = wheel[: -len(".dist-info")].rpartition("-")
     folder = SITE / f"{name}-{version}.dist-info"
@@ -175,16 +160,10 @@ EXPECTED = "/usr/local/share/rosml/expected.d"
 
 
 def summary(rows: Iterable[list[str]]) -> str:
-    """One digest for many entries of a RECORD, whatever their order."""
     return hashlib.sha256("\n".join(sorted(",".join(row) for row in rows)).encode()).hexdigest()
 
 
 def verify() -> None:
-    """Compares every recorded file with its record.
-
-    Raises:
-        SystemExit: a file is missing or differs and is not said to.
-    """
     adapted = patterns("adapted.txt")
     wrong = [f"{folder.name} has no RECORD" for folder in SITE.glob("*.dist-info") if not (folder / "RECORD").is_file()]
     checked = 0

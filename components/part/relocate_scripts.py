@@ -1,8 +1,6 @@
 #!/usr/bin/env python3
-"""Moves the commands of installed wheels to /usr/local/bin, where a shell finds them.
-
-`uv pip install --target` leaves them in TARGET/bin, with the assembler's interpreter in the first line. Here they go
-to /usr/local/bin with the interpreter of the image, and each RECORD follows, so that `pip uninstall` finds them.
+"""Moves the commands of wheels from TARGET/bin, where `uv pip install --target` leaves them, to /usr/local/bin, with the interpreter of the
+image. Each RECORD follows, so that `pip uninstall` finds them.
 """
 
 from __future__ import annotations

@@ -3,9 +3,8 @@
 
     runtime_packages.py PACKAGE…
 
-A package with headers, such as libroscpp-dev, gives way to what it depends on: libroscpp4d, messages. A package that needs a
-compiler is left out. All others stay, and so does what is named with a version or an architecture. apt's lists have to be
-there. Prints a name a line, sorted; those that apt does not know stay as they are, for apt says best what is wrong with them.
+A package with headers, such as libroscpp-dev, becomes those that it depends on: libroscpp4d, messages. A package that needs a compiler is
+left out. All others stay, also those with a version or an architecture, and those that apt does not know. Prints a name a line, sorted.
 """
 
 from __future__ import annotations
@@ -16,13 +15,12 @@ import sys
 from collections.abc import Iterable
 
 HEADERS = re.compile(r".*-dev")
-"""Packages with headers, and metapackages of such; those of the section libdevel are too, but for Python's."""
+"""Packages with headers, and metapackages of such. Those of the section libdevel have some too, except Python's."""
 
 COMPILERS = re.compile(
     r"(gcc|g\+\+|cpp|libgcc|libstdc\+\+)(-\d+)?(-dev)?|build-essential|binutils|dpkg-dev|make|ninja-build|libc6-dev"
     r"|linux-libc-dev"
 )
-"""Compilers and what comes with them; every image has the libraries that they link programs to."""
 
 
 class Archive:
@@ -44,19 +42,16 @@ class Archive:
                 self._providers.setdefault(virtual, fields.get("Package", ""))
 
     def real(self, name: str) -> str:
-        """The package that is installed for a name: itself, or the first that provides it; empty where apt knows neither."""
+        """The package itself, or the first that provides it; empty if there is none."""
         return name if name in self._packages else self._providers.get(name, "")
 
     def section(self, name: str) -> str:
-        """The section that a package is in; empty where apt does not know it."""
         return self._packages.get(name, ("", []))[0]
 
     def needs(self, name: str) -> list[str]:
-        """What a package depends on, without what that depends on in turn."""
         return self._packages.get(name, ("", []))[1]
 
     def compiles(self, name: str) -> bool:
-        """Whether a compiler comes with a package."""
         seen, todo = {name}, [name]
         while todo:
             if any(COMPILERS.fullmatch(item) for item in todo):
@@ -67,7 +62,6 @@ class Archive:
 
 
 def needed(packages: Iterable[str], archive: Archive) -> list[str]:
-    """The packages that stay."""
     kept: set[str] = set()
     seen: set[str] = set()
     todo = list(packages)

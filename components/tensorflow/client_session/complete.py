@@ -14,11 +14,7 @@ from pathlib import Path
 
 
 def declared(header: str) -> Counter[str]:
-    """How often each public function is declared: overloads count, constructors are called as the class.
-
-    Raises:
-        ValueError: the header declares no such class.
-    """
+    """How often each public function is declared, with its overloads."""
     text = re.sub(r"//[^\n]*|/\*.*?\*/", "", header, flags=re.DOTALL)
     match = re.search(r"\bclass\s+(?:\w+\s+)?ClientSession\s*\{(.*?)\n\};", text, flags=re.DOTALL)
     if not match:
