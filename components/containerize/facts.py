@@ -95,7 +95,7 @@ def write_app(
     """
     paths = contents.files([layer])
     links = _links(paths)
-    read = {path: binary for path, place in sorted(paths.items()) if (binary := _read(Path(place)))}
+    read = {path: content for path, place in sorted(paths.items()) if (content := _read(Path(place)))}
     exported = {(binary.machine, name) for binary, names in read.values() for name in names.exports}
     libraries = []
     for path, (binary, names) in read.items():

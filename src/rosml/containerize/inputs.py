@@ -1,11 +1,11 @@
 """The inputs of an app: one table, from which the command's options and their documentation are made.
 
-Names, variables and defaults are those of docker-ros (https://github.com/ika-rwth-aachen/docker-ros), so that its users keep
-their files. Values come from the command line, else from the environment, else from a file `.env` in the folder. On the command
-line, an empty value counts. An empty variable does not, as in `${VARIABLE:-default}`.
+Names, variables and defaults are those of docker-ros (https://github.com/ika-rwth-aachen/docker-ros), so that its users keep their files.
+Values come from the command line, else from the environment, else from a file `.env` in the folder. An empty value counts on the command
+line alone, as in `${VARIABLE:-default}`.
 
-The file `.env` belongs to the repository, which may be a stranger's, such as a pull request. It decides what is built. Only the
-user decides what is done with their rights and secrets.
+A repository's `.env` may be a stranger's, such as a pull request's. It decides what is built. Only the user decides about their rights and
+secrets.
 """
 
 from __future__ import annotations
@@ -21,32 +21,24 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.containerize import env_file
 
-YES, NO, UNPUSHED, WITH_SECRET = (
-    "yes",
-    "no",
-    "if nothing is pushed; a name without `/`",
-    "with its secret, or without one",
-)
-"""Whether `.env` may set an input. UNPUSHED: it names images that are pushed, or that other builds and Docker find by name.
-WITH_SECRET: it names the server that gets a secret, so the user who gives the secret names the server."""
+YES, NO = "yes", "no"
+"""Whether `.env` may set an input."""
+
+UNPUSHED = "if nothing is pushed; a name without `/`"
+"""The same for names of images that are pushed, or that other builds and Docker find."""
+
+WITH_SECRET = "with its secret, or without one"
+"""The same for a server that gets a secret: the user who has the secret names the server."""
 
 
 @dataclass(frozen=True)
 class Input:
-    """An input.
-
-    Attributes:
-        name: an option of the command and an input of the action, such as `base-image`.
-        gone: for inputs of docker-ros that are not used here: the reason, which we print.
-        in_repository: whether `.env` may set it: YES, NO, UNPUSHED or WITH_SECRET.
-    """
-
-    name: str
+    name: str  # of the command's option and the action's input, such as `base-image`
     help: str = ""
     default: str = ""
     flag: bool = False
-    gone: str = ""
-    in_repository: str = YES
+    gone: str = ""  # why an input of docker-ros is not used here, for users
+    in_repository: str = YES  # whether `.env` may set it
 
     @property
     def variable(self) -> str:
@@ -56,12 +48,12 @@ class Input:
 _RECURSIVE = "take every file of that name in the repository and its upstream sources"
 
 
-def _text(help: str, default: str = "", in_repository: str = YES) -> Any:
+def _text(help: str, default: str | bool = "", in_repository: str = YES) -> Any:
     return field(default=default, metadata={"help": help, "in_repository": in_repository})
 
 
 def _flag(help: str, default: bool = False, in_repository: str = YES) -> Any:
-    return field(default=default, metadata={"help": help, "in_repository": in_repository})
+    return _text(help, default, in_repository)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -192,10 +184,10 @@ SECRET = ("git-https-password", "git-ssh-private-key")
 """Inputs that are no options, because other users of the machine can see command lines."""
 
 _SECRET_OF = {"git-https-server": "git-https-password", "git-ssh-known-host-keys": "git-ssh-private-key"}
-"""For inputs that name servers: the secret that these get."""
+"""The secrets that servers get, by the inputs that name these."""
 
 _IMAGE = "IMAGE"
-"""The run image with its tag, as in docker-ros' local script: image-name and image-tag in one."""
+"""image-name and image-tag in one, as in docker-ros' local script."""
 
 _INDUSTRIAL_CI = ("ROSDEP_SKIP_KEYS", "NOT_TEST_BUILD")
 """Variables of industrial_ci with another name here."""
@@ -244,7 +236,7 @@ def first_look(name: str, typed: Mapping[str, str], folder: Path, environment: M
 
 
 def _by_name(variables: Mapping[str, str], splits_image: bool) -> dict[str, str]:
-    """The inputs that variables set, unless they are empty. With `splits_image`, IMAGE counts before those for its name and tag."""
+    """The inputs that variables set. With `splits_image`, IMAGE counts before those for its name and tag."""
     texts = {item.name: text for item in _USED if (text := variables.get(item.variable, ""))}
     if splits_image and (image := variables.get(_IMAGE, "")):
         name, colon, tag = image.rpartition(":")
@@ -275,8 +267,8 @@ def _require_allowed(
         text += ", as the images are pushed"
     elif item.in_repository == UNPUSHED:
         text += ", as it names a place of its own: a name without / is enough here"
-    option = f"--{item.name}" if item.flag else f"--{item.name} {shlex.quote(value)}"
-    raise RosmlError(text, f"if you want it, type {option}; or remove the line", exit_code=2)
+    typed = "" if item.flag else f" {shlex.quote(value)}"
+    raise RosmlError(text, f"if you want it, type --{item.name}{typed}; or remove the line", exit_code=2)
 
 
 def _of_industrial_ci(environment: Mapping[str, str], file: Mapping[str, str]) -> dict[str, str]:
@@ -284,8 +276,8 @@ def _of_industrial_ci(environment: Mapping[str, str], file: Mapping[str, str]) -
     variables = {**file, **environment}
     if variables.get("ENABLE_INDUSTRIAL_CI", "").lower() != "true":
         return {}
-    tests = {"TESTS": "false"} if variables.get("NOT_TEST_BUILD", "").lower() == "true" else {}
-    return {"SKIP_KEYS": variables.get("ROSDEP_SKIP_KEYS", ""), **tests}
+    untested = variables.get("NOT_TEST_BUILD", "").lower() == "true"
+    return {"SKIP_KEYS": variables.get("ROSDEP_SKIP_KEYS", ""), "TESTS": "false" if untested else ""}
 
 
 def _checked(item: Input, value: str) -> str:

@@ -1,6 +1,4 @@
-"""The lock file of an app: the inputs of its images, to build them from the same again.
-
-It has the digests of base images, the commits of upstream repositories, and the versions of added packages of apt and pip. A build
+"""The lock file of an app: digests of base images, commits of upstream repositories, and versions of added packages of apt and pip. A build
 that follows it takes nothing else.
 """
 
@@ -73,7 +71,7 @@ class Pin(Shape):
 
 
 class Packages(Shape):
-    """What was added to the base images, by architecture as dpkg calls it. Names of another one end in it, such as `libc6:i386`."""
+    """What was added to the base images, by dpkg's architecture. Names of another one end in it: `libc6:i386`."""
 
     model_config = ConfigDict(extra="forbid")
 
@@ -101,9 +99,9 @@ class Lock(Packages):
         return json.dumps(content, separators=(",", ":"), sort_keys=True)
 
     def with_other_architectures(self, other: Lock) -> Lock:
-        """This lock with the packages of another one for other architectures, if both have the same images and repositories."""
-        names = ("base_image", "slim_base_image", "rosdep_index", "addons", "repositories", "downstream")
-        if any(getattr(self, name) != getattr(other, name) for name in names):
+        """This lock with the packages of another one for other architectures, if all else is the same."""
+        packages = {"apt", "pip"}
+        if self.model_dump(exclude=packages) != other.model_dump(exclude=packages):
             return self
         return self.model_copy(update={"apt": {**other.apt, **self.apt}, "pip": {**other.pip, **self.pip}})
 

@@ -52,10 +52,9 @@ def onto(
     platforms: Sequence[str],
     locked: Mapping[str, str] | None = None,
 ) -> Base:
-    """A base image with add-ons.
+    """A base image with the add-ons of a text.
 
     Args:
-        text: names of add-ons, with a stack if the base image has none: `onnx-cpu`.
         locked: digests of parts, by their names with a tag; None for the present ones.
     """
     addons = names_in(text)
@@ -88,7 +87,7 @@ def kept(transfer: Transfer, app: Mapping[str, str], base: Base, services: Servi
 
     Args:
         app: the labels of the app's image.
-        stack: of the add-ons, if the base image has none; the app's own if empty.
+        stack: of the add-ons if the base image has none; empty for the app's.
     """
     label_claims.require(app, "the app", "build it again")
     present = base.labels.get(labels.ADDONS, "").split()
@@ -106,9 +105,8 @@ def _require_ours(base: Base) -> None:
         raise RosmlError(text, "push it, and name it with its registry", exit_code=2)
     if base.adopted or not base.labels.get(_PYTHON):
         ours = base.adopted.image.tags[0] if base.adopted else "an image of rosml, or one that was built on it"
-        raise RosmlError(
-            f"{base.name} is none of rosml's images, so it can have no add-on", f"take {ours}", exit_code=2
-        )
+        text = f"{base.name} is none of rosml's images, so it can have no add-on"
+        raise RosmlError(text, f"take {ours}", exit_code=2)
     label_claims.require(base.labels, base.name, OTHER_BASE)
 
 
@@ -147,13 +145,13 @@ def _by_join(base: Base, parts: Iterable[str]) -> str:
 
 @dataclass(frozen=True)
 class _Search:
-    """Finds the parts of add-ons for a base image. `before`: the beginning of a remedy with other add-ons or another base image."""
+    """Finds the parts of add-ons for a base image."""
 
     transfer: Transfer
     services: Services
     base: Base
     locked: Mapping[str, str] | None
-    before: str = ""
+    before: str = ""  # the beginning of a remedy with other add-ons
 
     def parts(self, addons: Iterable[str]) -> dict[str, str]:
         """References by digest of all parts that the base image lacks for add-ons, by their names with a tag."""

@@ -31,10 +31,10 @@ from rosml.registry.documents import Config, Platform, Settings
 
 @dataclass(frozen=True)
 class AddOns:
-    """What add-ons bring to a base image: parts by digest, by their names with a tag, and variables and labels that it lacks."""
+    """What add-ons bring to a base image."""
 
-    parts: Mapping[str, str]
-    environment: Mapping[str, str]
+    parts: Mapping[str, str]  # references by digest, by their names with a tag
+    environment: Mapping[str, str]  # variables that it lacks
     labels: Mapping[str, str]
 
     def dockerfile(self, base: str) -> str:
@@ -49,33 +49,21 @@ class AddOns:
 
 @dataclass(frozen=True)
 class Base:
-    """A base image.
-
-    Attributes:
-        name: as people write it, with its registry and tag.
-        digest: of its index, or of its manifest.
-        environment: its variables, for the first of the platforms.
-        local: whether it is in the user's Docker, and in no registry that answers.
-        adopted: the ROS to install on it, if it has none.
-    """
-
-    name: str
-    digest: str
-    environment: Mapping[str, str]
+    name: str  # with its registry and tag
+    digest: str  # of its index, or of its manifest
+    environment: Mapping[str, str]  # for the first of the platforms
     labels: Mapping[str, str] = field(default_factory=dict)
     user: str = ""
     entrypoint: tuple[str, ...] = ()
     shell: tuple[str, ...] = ()
-    local: bool = False
-    adopted: Adopted | None = None
+    local: bool = False  # in the user's Docker, and in no registry that answers
+    adopted: Adopted | None = None  # the ROS to install on it, if it has none
     addons: AddOns | None = None
 
     @property
     def reference(self) -> str:
         """For the builder: by digest, as the tag may move. Docker finds its own images only by their names."""
-        if self.local:
-            return self.name
-        return f"{self.repository}@{self.digest}"
+        return self.name if self.local else f"{self.repository}@{self.digest}"
 
     @property
     def repository(self) -> str:
@@ -124,7 +112,7 @@ def _none(text: str, services: Services, digest: str, near: str, refused: RosmlE
     names = candidates(text, services)
     if refused and len(names) == 1:
         return refused
-    ours = _full_name(text, services)
+    ours = _remedy_for_ours(text, services)
     if refused:
         problem = f"there is no image {text} in the local registry, and {refused.message}"
         return RosmlError(problem, ours or near or refused.remedy)
@@ -168,8 +156,8 @@ def _tags(registry: Registry, place: references.Reference) -> list[str]:
     return [tag for tag in registry.tags(place.repository) if not tag.startswith("sha256-")]
 
 
-def _full_name(text: str, services: Services) -> str:
-    """What to do about the name of one of our images that nobody has built, of its target, or of an app in the local registry."""
+def _remedy_for_ours(text: str, services: Services) -> str:
+    """For an image of ours that nobody has built, the name of a target, or an app in the local registry; empty for others."""
     images = load(MATRIX)
     if image := images.by_tag(text):
         return f"build it first: rosml image {image.target}"
@@ -246,18 +234,20 @@ class _Inspected(Shape):
 
 _INSPECTED = adapter(list[_Inspected])
 
+_USER = re.compile(r"([A-Za-z0-9_][A-Za-z0-9_.-]*(:[A-Za-z0-9_][A-Za-z0-9_.-]*)?)?")
+
 
 def _base(name: str, digest: str, settings: Settings | None, local: bool = False) -> Base:
     facts = settings or Settings()
-    if not re.fullmatch(r"([A-Za-z0-9_][A-Za-z0-9_.-]*(:[A-Za-z0-9_][A-Za-z0-9_.-]*)?)?", facts.User or ""):
-        raise RosmlError(f"{name} starts as a user of no name: {facts.User!r}", "set another USER in an image on it", 2)
-    variables = {name: value for name, _, value in (item.partition("=") for item in facts.Env or ())}
-    entrypoint = tuple(facts.Entrypoint or ())
-    if entrypoint and "/" in entrypoint[0]:  # it may be relative to the folder in which the image starts
-        program = posixpath.normpath(posixpath.join(facts.WorkingDir or "/", entrypoint[0]))
-        entrypoint = (program, *entrypoint[1:])
-    shell = tuple(facts.Shell or ())
-    return Base(name, digest, variables, facts.Labels or {}, facts.User or "", entrypoint, shell, local)
+    user, labels, shell = facts.User or "", facts.Labels or {}, tuple(facts.Shell or ())
+    if not _USER.fullmatch(user):
+        raise RosmlError(f"{name} starts as a user of no name: {user!r}", "set another USER in an image on it", 2)
+    variables = dict(item.partition("=")[::2] for item in facts.Env or ())
+    program, *words = facts.Entrypoint or [""]
+    if "/" in program:  # it may be relative to the folder in which the image starts
+        program = posixpath.normpath(posixpath.join(facts.WorkingDir or "/", program))
+    entrypoint = (program, *words) if facts.Entrypoint else ()
+    return Base(name, digest, variables, labels, user, entrypoint, shell, local)
 
 
 def _read(registry: Registry, place: references.Reference, manifest: oci.Manifest, platforms: tuple[str, ...]) -> Base:
@@ -280,7 +270,7 @@ def _read(registry: Registry, place: references.Reference, manifest: oci.Manifes
 def require_kept(
     registries: Callable[[str], Registry], tags: Iterable[str], platforms: tuple[str, ...], remedy: str = ""
 ) -> None:
-    """Checks that no tag would lose a platform that its present image has. The default remedy is that of a build."""
+    """Checks that no tag would lose a platform of its present image. The default remedy is that of a build."""
     for reference in tags:
         place = references.parse(reference)
         registry = registries(place.host)
@@ -288,14 +278,13 @@ def require_kept(
         present = _platforms(registry, place, manifest) if manifest else []
         if not {name.replace("arm64/v8", "arm64") for name in platforms}.issuperset(present):
             every = ",".join(dict.fromkeys([*present, *platforms]))
-            architecture = platforms[0].partition("/")[2].replace("/", "-")
-            raise RosmlError(
-                f"{reference} is for {', '.join(present)}, and would be for {', '.join(platforms)} alone; no tag was moved",
-                remedy
-                or f"name all: --platform {every}; or give this image a tag of its own, such as --image-tag"
-                f" {place.reference}-{architecture}, as enable-singlearch-push does in CI",
-                exit_code=2,
+            tag = f"{place.reference}-{platforms[0].partition('/')[2].replace('/', '-')}"
+            own_tag = (
+                f"give this image a tag of its own, such as --image-tag {tag}, as enable-singlearch-push does in CI"
             )
+            text = f"{reference} is for {', '.join(present)}, and would be for {', '.join(platforms)} alone"
+            default = f"name all: --platform {every}; or {own_tag}"
+            raise RosmlError(f"{text}; no tag was moved", remedy or default, exit_code=2)
 
 
 def _platforms(registry: Registry, place: references.Reference, manifest: oci.Manifest) -> list[str]:

@@ -33,7 +33,7 @@ TYPE = "application/vnd.rosml.rosdep.v1"
 LAYER = f"{TYPE}.tar+gzip"
 
 TYPED = "--rosdep-index, or its variable ROSDEP_INDEX,"
-"""How a user names lists, for messages. `rosml dev` takes only the variable."""
+"""For messages. `rosml dev` takes only the variable."""
 
 ADDRESS = "https://github.com/ros/rosdistro"
 
@@ -72,8 +72,9 @@ def checkout(folder: Path | None) -> Iterator[Path]:
             with git.opened(git.Access(), Path(place)) as call:
                 call("clone", "--quiet", "--depth", "1", ADDRESS, str(new))
         except git.Failed as error:
-            text = f"{ADDRESS} cannot be cloned: {error.reason}"
-            raise RosmlError(text, "name a checkout of it that you have") from None
+            raise RosmlError(
+                f"{ADDRESS} cannot be cloned: {error.reason}", "name a checkout of it that you have"
+            ) from None
         yield new
 
 
@@ -138,8 +139,8 @@ class Finder:
         """A folder with the lists, and their digest if they are from a registry.
 
         Args:
-            name: of a checkout, or of lists in a registry; if empty, the newest beside one of our base images, if there are some.
-            pin: the digest in the lock file; empty if it has none.
+            name: of a checkout, or of lists in a registry; if empty, the newest beside one of our base images.
+            pin: the digest in the lock file, if any.
             locked: whether there is a lock file.
         """
         folder = Path.home() / name[2:] if name.startswith("~/") else self._folder / name
@@ -165,9 +166,11 @@ class Finder:
             return None
         if not (name or pin):
             return None
-        text = f"there are no lists of rosdep {pin or name}"
-        text += f" (looked for {', '.join(places)})" if places else ""
-        text = text if pin else f"{TYPED} names {name}: {text}"
+        before, looked = (
+            "" if pin else f"{TYPED} names {name}: ",
+            f" (looked for {', '.join(places)})" if places else "",
+        )
+        text = f"{before}there are no lists of rosdep {pin or name}{looked}"
         raise RosmlError(text, "check the name; 'rosml publish rosdep' publishes them", exit_code=2)
 
     def _references(self, name: str, base: app_base.Base) -> tuple[str, ...]:
@@ -208,21 +211,15 @@ class Finder:
             try:
                 unpack(registry.part(place.repository, layers[0]), new, str(place))
                 new.chmod(0o755)
-                _move(new, out)
+                new.rename(out)
+            except OSError:
+                if not out.is_dir():  # otherwise another call was faster
+                    raise
             finally:
                 shutil.rmtree(new, ignore_errors=True)
             for path in oldest:
                 shutil.rmtree(path, ignore_errors=True)
         return out, manifest.digest
-
-
-def _move(new: Path, out: Path) -> None:
-    """Renames a folder, unless another call was faster."""
-    try:
-        new.rename(out)
-    except OSError:
-        if not out.is_dir():
-            raise
 
 
 def unpack(content: bytes, folder: Path, what: str) -> None:

@@ -36,26 +36,21 @@ LOCK = f"{PREFIX}lock"
 """The label with an image's inputs, as in the lock file."""
 
 REPLACED = f"{PREFIX}replaced"
-"""The label with what the app's packages replace of the base image. An app that has it gets another base image only by a build."""
+"""The label with what the app's packages replace of the base image. Such an app gets another base image only by a build."""
 
 NAMES_IN_LABEL = 10
 
 REPORT, RESULTS, ASKED = "report", "results", "identified"
-"""The targets that leave an archive: the reports of rosml's own steps, the test reports, and the packages for each key of rosdep, in
-case these cannot be installed."""
+"""The targets that leave an archive: the reports of rosml's own steps, the test reports, and the packages for each key of rosdep."""
 
-PASSED = "passed"
-"""The stage that fails if a test did."""
-
-TESTS = "tests"
-"""The target of that stage: its name is shown before each step that it waits for."""
+PASSED, TESTS = "passed", "tests"
+"""The stage that fails if a test did, and its target: that name is shown before each step that it waits for."""
 
 FAILED = "target-results"
 """The target that leaves the reports of the app's own tests alone, in the archive of `RESULTS`."""
 
 STAGES = ("app", "runtime", "workspace")
 SLIM_STAGES = ("slim-app", "slim-runtime")
-
 PACKAGES = "packages"
 
 
@@ -95,9 +90,6 @@ class Recipe:
         """The archive of the target `REPORT`, `RESULTS` or `ASKED`."""
         return self.call.state / f"{name}.tar"
 
-    def output(self, name: str) -> str:
-        return exported.output(self.archive(name))
-
 
 def render(recipe: Recipe, replaced: Mapping[str, Sequence[str]] | None = None, lock: str = "") -> str:
     """The bake file.
@@ -112,8 +104,8 @@ def render(recipe: Recipe, replaced: Mapping[str, Sequence[str]] | None = None, 
     targets = _report_targets(recipe, common)
     groups = {PACKAGES: {"targets": [*targets, *(f"keep-{stage}" for stage in recipe.pushed_stages)]}}
     if inputs.values.tests:
-        targets[FAILED] = {**common, "target": FAILED, "output": [recipe.output(RESULTS)]}
-    targets[ASKED] = {**common, "target": ASKED, "output": [recipe.output(ASKED)]}
+        targets[FAILED] = _leaving(recipe, common, FAILED, RESULTS)
+    targets[ASKED] = _leaving(recipe, common, ASKED, ASKED)
     targets |= {stage: {**common, "target": stage} for stage in inputs.stages} | _base_targets(recipe)
     for stage, reference in recipe.pushed_stages.items():
         output = f"type=image,name={reference},push=true,{COMPRESSION}"
@@ -127,11 +119,16 @@ def render(recipe: Recipe, replaced: Mapping[str, Sequence[str]] | None = None, 
     return _text({"group": groups, "target": targets})
 
 
+def _leaving(recipe: Recipe, common: Mapping[str, Any], stage: str, archive: str) -> dict[str, Any]:
+    """A target that leaves a stage in an archive."""
+    return {**common, "target": stage, "output": [exported.output(recipe.archive(archive))]}
+
+
 def _report_targets(recipe: Recipe, common: Mapping[str, Any]) -> dict[str, Any]:
     before, values = "slim-" if recipe.inputs.slim else "", recipe.inputs.values
-    targets = {REPORT: {**common, "target": f"{before}{REPORT}", "output": [recipe.output(REPORT)]}}
+    targets = {REPORT: _leaving(recipe, common, f"{before}{REPORT}", REPORT)}
     if values.tests:
-        targets[RESULTS] = {**common, "target": f"{before}{RESULTS}", "output": [recipe.output(RESULTS)]}
+        targets[RESULTS] = _leaving(recipe, common, f"{before}{RESULTS}", RESULTS)
     elif values.downstream_workspace:  # built all the same, without output
         targets[RESULTS] = {**common, "target": "downstream-built", "output": ["type=cacheonly"]}
     if values.tests and not recipe.pushed_stages:  # a cache gets all stages: whoever corrects the test builds on them
@@ -156,14 +153,14 @@ def _image(
 
 
 def render_shell_image(recipe: Recipe) -> str:
-    """The bake file of the image for `rosml dev`. It names no commit: an image with the same content has the same digest."""
+    """The bake file of the image for `rosml dev`. It names no commit, so that the same content has the same digest."""
     inputs = recipe.inputs
     base, stages = _contexts(recipe)
     common = _common(recipe, base | stages)
     title = f"{recipe.call.names.app} ({DESK})"
     labels = {TITLE: title, BASE_NAME: inputs.base.name, BASE_DIGEST: inputs.base.digest}
     targets = {
-        ASKED: {**common, "target": ASKED, "output": [recipe.output(ASKED)]},
+        ASKED: _leaving(recipe, common, ASKED, ASKED),
         **_base_targets(recipe),
         f"{DESK}-stage": {**common, "target": DESK},
         DESK: _image(recipe, DESK, False, {DESK: f"target:{DESK}-stage"}, labels),
@@ -235,7 +232,7 @@ def _joining(base: Base, inputs: Inputs, platforms: Sequence[str]) -> dict[str, 
 
 
 def render_base(base: Base, services: Services, common: Mapping[str, Any], tag: str, output: str, empty: Path) -> str:
-    """The bake file of a base image that gets ROS, without an app. The arguments are those of `adopt.make`, and the result of `steps`."""
+    """The bake file of a base image that gets ROS, without an app. `common`: the result of `steps`. Other arguments: as of `adopt.make`."""
     assert base.adopted
     targets = adopted.base_targets(base.adopted, BASE, common, empty, adopted.stage(services, base.adopted))
     labels = targets[BASE]["labels"] | {TITLE: f"{base.adopted.image.target} on {base.name}"}
@@ -288,8 +285,8 @@ def _joined_stages(target: str, linked: bool) -> tuple[str, ...]:
 
 
 def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:
-    """The Dockerfile that joins an image without running anything. Values are arguments, as they may have several lines. A `linked`
-    app is a layer on the base image, and not on the stage with its packages."""
+    """The Dockerfile that joins an image without a step. Values are arguments, as they may have several lines. A `linked` app is a layer on
+    the base image, and not on the stage with its packages."""
     lines, command = [f"FROM {DESK if target == DESK else 'workspace'}"], ["bash"]
     if target not in (DESK, "dev"):
         before = "slim-" if target == SLIM else ""

@@ -1,4 +1,4 @@
-"""What `rosml dev` keeps: a folder of the workspace with what is built there, and a file that says from what its image was made."""
+"""What `rosml dev` keeps: a folder with what is built, and a record of the inputs of its image."""
 
 from __future__ import annotations
 
@@ -26,10 +26,9 @@ from rosml.containerize.packages import workspace
 from rosml.containerize.sources import repos_file
 
 KEPT = ".rosml/dev"
-"""The folder with what is built, in the folder of the packages. In a container it is the workspace."""
+"""The folder with what is built, in that of the packages. In a container it is the workspace."""
 
 MARKS = ("COLCON_IGNORE", "CATKIN_IGNORE")
-"""Files that keep colcon and catkin from looking for packages there."""
 
 POINTS = ("src/target", "src/upstream")
 """The folders of the workspace on which sources are mounted. Without them, the engine would make them, for root."""
@@ -55,8 +54,6 @@ UNUSED = {
 
 
 class ImageRecord(Shape):
-    """An image for `rosml dev`."""
-
     model_config = ConfigDict(strict=True, extra="forbid")
 
     key: str  # the digest of its inputs
@@ -66,7 +63,6 @@ class ImageRecord(Shape):
 
 
 def image_name(folder: Path) -> str:
-    """The name of a folder's image. Two folders of one name have two."""
     slug = re.sub("[^a-z0-9]+", "-", folder.name.lower()).strip("-") or "workspace"
     return f"rosml-dev/{slug[:40].strip('-')}-{hashlib.sha256(os.fsencode(folder)).hexdigest()[:8]}"
 
@@ -77,7 +73,7 @@ def image_values(values: Values, folder: Path) -> Values:
 
 
 def record_file(folder: Path, state: Path) -> Path:
-    """The file with the record of a folder. It is not in the folder: that may be a stranger's, and the file names an image to start."""
+    """It is not in the folder: that may be a stranger's, and the record names an image to start."""
     return state / "desk" / f"{image_name(folder).rpartition('/')[2]}.json"
 
 
@@ -95,8 +91,7 @@ def write_record(file: Path, record: ImageRecord) -> None:
 
 
 def inputs_digest(folder: Path, values: Values) -> str:
-    """The digest of all inputs of the image that are on this machine. The base image and upstream branches may move: they are
-    looked up only if the image is made."""
+    """The digest of all inputs of the image on this machine. The base image and upstream branches are looked up only if it is made."""
     paths = [*workspace.manifests(folder, ignored=IgnoredFiles(folder))]
     paths += repos_file.find(folder) if values.enable_recursive_vcs_import else [folder / values.vcs_import_file]
     paths.append(lock.place(folder, values.lock_file, renew=False))

@@ -8,30 +8,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from xml.etree import ElementTree
 
-FAILED = "failed"
-"""The file that lists tests without a report, a line each."""
-
-PRINTED = "output.log"
-"""The file of a package with the output of its tests, if they left no report."""
+FAILED, PRINTED = "failed", "output.log"
+"""The file that lists tests without a report, a line each; and that with the output of such tests of a package."""
 
 _WRONG = ("failures", "errors")
 
-MOST = 1000
-"""The most failed tests that are named."""
-
-END = 1 << 16
-"""The most characters to read of a command line or a test's output."""
-
-NAMES = 16
-"""The most files of a command line that are looked at."""
+MOST, END, NAMES, SHOWN = 1000, 1 << 16, 16, 160
+"""The most failed tests to name, characters to read of a command line or output, files of a command line, and characters of a message."""
 
 UNCOLLECTED = "collection failure"
 """pytest's message about a module that it cannot import."""
 
 NOT_COLLECTED = "its tests could not be collected"
-
-SHOWN = 160
-"""The most characters to show of a failed test's message."""
 
 
 @dataclass(frozen=True)
@@ -58,8 +46,8 @@ def total(results: Iterable[Tests]) -> Tests:
 def read(folder: Path) -> Tests:
     """The tests below a folder that has a folder for each package.
 
-    If the program of a CTest test writes a JUnit file, the tests in it count instead. The file `failed` lists tests without a
-    report, such as tests that do not build. Its lines `PACKAGE: …` count if no test of that package failed.
+    If a test of CTest writes a JUnit file, the tests in it count instead. The lines `PACKAGE: …` of the file `failed`, such as of tests that
+    do not build, count if no test of that package failed.
     """
     reported = total(_package(path) for path in sorted(folder.glob("*")) if path.is_dir())
     if not (folder / FAILED).is_file():
@@ -79,28 +67,26 @@ def _package(folder: Path) -> Tests:
         try:
             root = ElementTree.parse(path).getroot()
         except ElementTree.ParseError:
-            text = f"{folder.name}: {path.name} is no XML: its program was ended"
-            results.append(Tests(1, 0, (text,)))
+            results.append(_unreadable(path, folder, "is no XML: its program was ended"))
+            continue
         except (LookupError, ValueError):  # Python does not know the encoding, or expat refuses it
-            text = f"{folder.name}: {path.name} has an encoding that cannot be read: write it in UTF-8"
-            results.append(Tests(1, 0, (text,)))
-        else:
-            if root.tag == "Site":
-                ctest += (test for test in root.iter("Test") if "Status" in test.attrib)
-                continue
-            _drop_namespaces(root)
-            tests = _junit(root, folder.name)
-            (failed_reports if tests.failures else passed_reports).add(f"/{folder.name}/{path.relative_to(folder)}")
-            results.append(tests)
+            results.append(_unreadable(path, folder, "has an encoding that cannot be read: write it in UTF-8"))
+            continue
+        if root.tag == "Site":
+            ctest += (test for test in root.iter("Test") if "Status" in test.attrib)
+            continue
+        for element in root.iter():  # some programs write JUnit files with a namespace
+            if isinstance(element.tag, str):
+                element.tag = element.tag.rpartition("}")[2]
+        tests = _junit(root, folder.name)
+        (failed_reports if tests.failures else passed_reports).add(f"/{folder.name}/{path.relative_to(folder)}")
+        results.append(tests)
     results += [_ctest(test, folder.name, passed_reports, failed_reports) for test in ctest]
     return total(results)
 
 
-def _drop_namespaces(root: ElementTree.Element) -> None:
-    """Removes namespaces from the names of elements: some programs write JUnit files with one."""
-    for element in root.iter():
-        if isinstance(element.tag, str):
-            element.tag = element.tag.rpartition("}")[2]
+def _unreadable(path: Path, folder: Path, why: str) -> Tests:
+    return Tests(1, 0, (f"{folder.name}: {path.name} {why}",))
 
 
 def _junit(root: ElementTree.Element, package: str) -> Tests:
@@ -121,7 +107,7 @@ def _junit(root: ElementTree.Element, package: str) -> Tests:
 
 
 def _reason(message: str, text: str) -> str:
-    """Why a test failed. Of a module that pytest cannot import, the message says nothing, and the last line of the text does."""
+    """Why a test failed. Of a module that pytest cannot import, the last line of the text says it."""
     if message != UNCOLLECTED:
         return message or text
     lines = [line for line in text[-END:].splitlines() if line.startswith("E ")]
@@ -169,7 +155,5 @@ def _failure(package: str, name: str, reason: str) -> str:
 
 def _clean(text: str) -> str:
     """A line without control characters, and not too long."""
-    text = re.sub(
-        r"\x1b\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-0x1B\]\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-\w+\]", "", text[:END]
-    )
+    text = re.sub(r"(\x1b|\[NON-XML-CHAR-0x1B\])\[[0-?]*[ -/]*[@-~]|\[NON-XML-CHAR-\w+\]", "", text[:END])
     return " ".join("".join(sign if sign.isprintable() else " " for sign in text).split())[:SHOWN]

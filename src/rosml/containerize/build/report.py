@@ -1,7 +1,7 @@
 """Reports from the build of an app: this module alone reads them.
 
-A build leaves two archives. rosml's own steps write one of them, from files that they read and never run: it describes the images.
-The tests of the packages write the other one. Only the failures in it count.
+A build leaves two archives. rosml's own steps write one, from files that they read and never run: it describes the images. The packages'
+tests write the other one, of which only the failures count.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class Dependencies(_Model):
 class Facts(_Model):
     """The changes of an app to its base image, for one platform. The last three are for the lock file, as in `lock.Packages`."""
 
-    packages: list[str]  # new packages of the system, with their architecture
+    packages: list[str]  # new packages of apt, with their architecture
     replaced: list[str]  # packages of the base image that it replaces or removes
     changed: list[str]  # files of the base image that its packages change
     removed: list[str]  # files of the base image
@@ -99,11 +99,8 @@ class AppReport:
     def dependencies(self) -> Dependencies:
         return self._model(Dependencies, next(iter(self.places.values())) / DEPENDENCIES)
 
-    def apps(self) -> list[Facts]:
-        return [self._model(Facts, place / APP) for place in self.places.values()]
-
-    def slim_apps(self) -> list[Facts]:
-        return [self._model(Facts, place / SLIM_APP) for place in self.places.values()]
+    def apps(self, file: str = APP) -> list[Facts]:
+        return [self._model(Facts, place / file) for place in self.places.values()]
 
     def detail(self, name: str) -> bytes:
         """The contents of an image, by a name of `details`."""
@@ -134,15 +131,14 @@ class AppReport:
 
 def of_app(archive: Path, folder: Path, platforms: Sequence[str]) -> AppReport:
     """Unpacks the archive of rosml's own steps into a folder, which belongs to this module."""
-    refused = exported.unpack(archive, folder, limits=exported.OURS)
-    for name, reason in refused.items():
+    for name, reason in exported.unpack(archive, folder, limits=exported.OURS).items():
         raise RosmlError(f"what the build says of the app is damaged: {name}: {reason}", "run it again")
     return AppReport(folder, {platform: Path(_place(platform, platforms)) for platform in platforms})
 
 
 def of_tests(archive: Path, folder: Path, platforms: Sequence[str]) -> TestResults:
-    """Reads the test reports, and leaves them in a folder for people: if there are several platforms, in a folder for each.
-    If a report is no file, or too large, it counts as a failed test."""
+    """Reads the test reports, and leaves them for people in a folder, with one for each of several platforms. A report that is no file, or
+    too large, counts as a failed test."""
     places = [_place(platform, platforms) for platform in platforms]
     refused = exported.unpack(archive, folder, _is_report)
     results = {kind: [junit.read(folder / place / kind) for place in places] for kind in KINDS}
@@ -154,5 +150,5 @@ def of_tests(archive: Path, folder: Path, platforms: Sequence[str]) -> TestResul
 
 
 def _is_report(path: PurePosixPath) -> bool:
-    """Whether a file is a test report: a JUnit file or one of CTest, the list of tests without reports, or their output."""
+    """Whether a file is a report of JUnit or CTest, the list of tests without one, or their output."""
     return path.suffix == ".xml" or path.name in (junit.FAILED, junit.PRINTED)

@@ -1,7 +1,7 @@
 """A cache of finished stages of an app's build, in a registry, for machines that have none of them.
 
-Each slow stage is an image. Its tag is a digest of everything that decides its content. A build computes these tags and takes
-the images that exist instead of their stages. Once its tests have passed, a build's report is kept beside them.
+Each slow stage is an image, whose tag is a digest of everything that decides its content. A build takes the images that exist instead of
+their stages. Once its tests have passed, a build's report is kept beside them.
 """
 
 from __future__ import annotations
@@ -97,11 +97,7 @@ def keys(inputs: Inputs, platforms: tuple[str, ...]) -> Keys:
 
 
 def tree(folder: Path, without: Container[str] = ()) -> str:
-    """The digest of a folder and everything below it: names, modes, contents and links. Times do not count.
-
-    Args:
-        without: names of files and folders to leave out, at any depth.
-    """
+    """The digest of a folder and everything below it, without these names: names, modes, contents and links. Times do not count."""
     total = hashlib.sha256()
     for path in _paths(folder, without):
         facts = path.lstat()
@@ -130,8 +126,6 @@ def _digest(*parts: object) -> str:
 
 
 class Report(Shape):
-    """What a build came to, as it is kept."""
-
     model_config = ConfigDict(strict=True, extra="forbid")
 
     form: str  # of the fields: a release of rosml with others passes it over
@@ -178,7 +172,7 @@ class Cache:
         return f"{self._place.host}/{self._place.repository}:{tag}"
 
     def stages(self, keys: Keys) -> dict[str, str]:
-        """The stages that the repository has: names, and references by digest. Each is an image from which a build may start."""
+        """References by digest of the stages that the repository has. A build may start from each."""
         present = {}
         for stage, tag in keys.stages.items():
             if manifest := self._registry.manifest(self._place.repository, tag):
@@ -187,7 +181,7 @@ class Cache:
         return present
 
     def report(self, keys: Keys) -> Report | None:
-        """The report of a build from the same inputs. None if none passed, or if it is unreadable or has another form."""
+        """The report of a build from the same inputs; None if there is none in the present form."""
         try:
             layers = self._layers(keys)
             if not layers:

@@ -103,7 +103,7 @@ def build_packages(stages: Stages) -> Packages:
     app_report = report.of_app(recipe.archive(REPORT), call.state / "said", call.names.platforms)
     dependencies, apps = app_report.dependencies(), app_report.apps()
     verdict.require_built(dependencies.packages, apps)
-    built = outcome.of_reports(dependencies, apps, app_report.slim_apps() if recipe.inputs.slim else None)
+    built = outcome.of_reports(dependencies, apps, app_report.apps(report.SLIM_APP) if recipe.inputs.slim else None)
     tests, reports = report.TestResults(), ""
     if call.values.tests:
         tests = _test_results(recipe)

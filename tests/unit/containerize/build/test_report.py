@@ -99,7 +99,7 @@ def test_a_report_has_a_shape(tmp_path: Path) -> None:
     with pytest.raises(RosmlError, match=r"the build left no contents-slim/files\.gz"):
         app.detail("slim/linux/amd64/files.gz")
     with pytest.raises(RosmlError, match=r"the build left no slim\.json"):
-        app.slim_apps()
+        app.apps(report.SLIM_APP)
 
 
 @pytest.mark.parametrize(
