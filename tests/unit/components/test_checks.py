@@ -245,10 +245,8 @@ def cuda_provider(root: Root, several: list[tuple[str, int]]) -> None:
     for kinds in [several, several, [("sm", 120)], several[1:], several, [("sm", 120)]]:
         entries = b""
         for kind, number in kinds:
-            own = 1 << 20 if kind == "sm" and number >= 90 else 0
-            entries += (
-                struct.pack("<H2xIQ12xI8xQ16x", 2 if kind == "sm" else 1, 64, 8, number, 0x8011 | own) + b"8 bytes."
-            )
+            flags = 0x8011 | (1 << 20 if kind == "sm" and number >= 90 else 0)
+            entries += struct.pack("<H2xIQ12xI8xQ16x", 2 if kind == "sm" else 1, 64, 8, number, flags) + b"8 bytes."
         content += struct.pack("<IHHQ", 0xBA55ED50, 1, 16, len(entries)) + entries + bytes(8)
     root.file("modules/onnxruntime/capi/libonnxruntime_providers_cuda.so").write_bytes(content)
 
@@ -306,8 +304,8 @@ def library(name: str) -> Callable[[Root], object]:
     return lambda root: root.file(f"opt/somewhere/{name}")
 
 
-def variable(**given: str) -> Callable[[Root], None]:
-    return lambda root: root.env.update(given)
+def variable(**values: str) -> Callable[[Root], None]:
+    return lambda root: root.env.update(values)
 
 
 def text(path: str, content: str = "", mode: int = 0o644) -> Callable[[Root], object]:
@@ -346,24 +344,13 @@ def unpacked(root: Root) -> None:
 
 BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
     "the same library twice": ("cuda_copies.sh", library("libcudart.so.12"), "more than one copy of libcudart: "),
-    "another version of it": ("cuda_copies.sh", library("libcudart.so.13"), "/opt/somewhere/libcudart.so.13"),
     "a copy under a name of a wheel's own": (
         "cuda_copies.sh",
         library("libcudart-9335f6a2.so.12"),
         "/opt/somewhere/libcudart-9335f6a2.so.12",
     ),
-    "a copy under another name of a wheel's own": (
-        "cuda_copies.sh",
-        library("libcudart.3eda8113.so.12"),
-        "/opt/somewhere/libcudart.3eda8113.so.12",
-    ),
-    "a copy without a version": ("cuda_copies.sh", library("libcublasLt.so"), "more than one copy of libcublasLt: "),
-    "two NCCLs": ("cuda_copies.sh", library("libnccl.so.2.27"), "more than one copy of libnccl: "),
     "no CUDA at all": ("cuda_copies.sh", no_cuda, "no CUDA library at all"),
     "another CUDA": ("cuda_runtime.py", variable(EXPECT_CUDA="12.6.1"), "CUDA runtime 12080, expected 12060"),
-    "another cuDNN": ("cuda_runtime.py", variable(EXPECT_CUDNN="9.9.0.1"), "cuDNN 91002, expected 90900"),
-    "another NCCL": ("cuda_runtime.py", variable(EXPECT_NCCL="2.27.3"), "NCCL 22705, expected 22703"),
-    "a CUDA that nobody finds": ("cuda_runtime.py", variable(EXPECT_CUDA="13.0.1"), "libcudart.so.13: cannot open"),
     "a loader that is helped by a variable": ("cuda_runtime.py", variable(LD_LIBRARY_PATH="/x"), "LD_LIBRARY_PATH"),
     "a loader that is helped by its cache": ("cuda_runtime.py", says("ldconfig", "echo libcudart.so.12"), "ldconfig"),
     "PyTorch for other GPUs": (
@@ -376,47 +363,25 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         forget("EXPECT_GPU_TENSORFLOW_AMD64"),
         "tensorflow: ['sm_60', 'compute_90'], expected []",
     ),
-    "PyTorch for the CPU": (
-        "gpus.py torch",
-        text("modules/torch/lib/libtorch_python.so", "code\0code"),
-        "torch: [], expected ['sm_80', 'sm_90']",
-    ),
     "ONNX Runtime without code for an old GPU": (
         "gpus.py onnxruntime",
         lambda root: cuda_provider(root, [("sm", 90), ("compute", 90)]),
         "onnxruntime: ['sm_90a', 'compute_90'], expected ['sm_80', 'sm_90a', 'compute_90']",
     ),
-    "ONNX Runtime for the CPU": (
-        "gpus.py onnxruntime",
-        gone("modules/onnxruntime/capi/libonnxruntime_providers_cuda.so"),
-        "onnxruntime: [], expected ['sm_80', 'sm_90a', 'compute_90']",
-    ),
     "a driver that nobody asks for": ("gpus.py driver", forget("NVIDIA_REQUIRE_CUDA"), "None, expected cuda>=12.0"),
     "a driver without CUDA": ("gpus.py driver", forget("EXPECT_CUDA"), "cuda>=12.0, expected None"),
-    "another generation's driver": ("gpus.py driver", variable(EXPECT_CUDA="13.0.96"), "expected cuda>=13.0"),
     "a link to nowhere": ("dangling_links.sh", gone("usr/local/lib/rosml/torch/libtorch.so"), "/libtorch.so\n"),
     "a locale that everything obeys": ("locale.sh", variable(LC_ALL="C.utf8"), "LC_ALL is set: C.utf8"),
     "a locale that is not there": ("locale.sh", variable(LANG="xx_XX.utf8"), "Cannot set"),
-    "a locale of another character set": ("locale.sh", variable(LANG="C"), 'LC_CTYPE="C"'),
     "a proxy": ("no_traces.sh", variable(http_proxy="http://p:1"), "http_proxy=http://p:1"),
     "an index": ("no_traces.sh", says("pip", "echo global.index-url=http://i"), "global.index-url=http://i"),
-    "a password": ("no_traces.sh", text("root/.netrc"), "/root/.netrc"),
     "a cache": ("no_traces.sh", text("root/.cache/pip/x"), "/root/.cache"),
     "a certificate": ("no_traces.sh", text("usr/local/share/ca-certificates/ours.crt"), "ours.crt"),
+    "a password": ("no_traces.sh", text("root/.netrc"), "/root/.netrc"),
     "a secret": ("no_traces.sh", text("run/secrets/ca-bundle"), "run/secrets/ca-bundle"),
     "apt's proxy": ("no_traces.sh", text("etc/apt/apt.conf.d/p", 'Acquire::http::Proxy "http://p";'), "http::Proxy"),
     "a package half installed": ("packages.sh desktop-full", unpacked, "ros-base: unpacked"),
-    "a package missing": (
-        "packages.sh desktop-full",
-        variable(EXPECT_PACKAGES_DESKTOP_FULL="ros-core,ros-viz"),
-        "ros-viz: dpkg-query: no packages found",
-    ),
     "a file missing": ("part_files.py", gone(f"{SITE}/torch/7.py"), "torch/7.py is missing"),
-    "a file of another size": (
-        "part_files.py",
-        text(f"{SITE}/torch/7.py", "x = 1\n"),
-        "torch/7.py has 6 bytes, 5 are on record",
-    ),
     "a part for another wheel": (
         "part_files.py",
         text("usr/local/share/rosml/expected.d/tensorflow-cc", "0" * 64),
@@ -455,20 +420,9 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         says("pip", "echo 'torch 2.10.0 requires nvidia-cudnn-cu12, which is not installed.'; exit 1"),
         "1 complaints about part packages",
     ),
-    "a requirement under another spelling": (
-        "pip_check.py",
-        says("pip", "echo 'x 1 has requirement nvidia_cudnn.cu12>=10, but you have 9.10.'; exit 1"),
-        "1 complaints about part packages",
-    ),
     "another Python": ("python.sh", says("python3", "echo 3.12"), "Python 3.12, expected 3.11"),
     "what ROS's tools import": ("replaces_nothing.py", text(f"{SITE}/setuptools/x.py"), "never: ['setuptools']"),
-    "a pip of a part": (
-        "replaces_nothing.py",
-        text("usr/local/share/rosml/versions.d/torch", "torch 2.10.0\npip 26.0\n"),
-        "never: ['pip']\ncommands hidden: ['pip']",
-    ),
     "a module of Debian's": ("replaces_nothing.py", text(f"{SITE}/rospkg.py"), "without a reason: ['rospkg']"),
-    "a module of ROS's": ("replaces_nothing.py", text(f"{SITE}/rclpy/x.py"), "without a reason: ['rclpy']"),
     "a module in ROS's other folder": (
         "replaces_nothing.py",
         text("opt/ros/humble/local/lib/python3.10/dist-packages/torch/x.py"),
@@ -480,17 +434,14 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         text("usr/local/bin/cmake", "#!/usr/bin/python3.11\nfrom cmake import main\n"),
         "commands hidden: ['cmake']",
     ),
-    "a command of ROS's": ("replaces_nothing.py", text("opt/ros/jazzy/bin/torchrun"), "commands hidden: ['torchrun']"),
     "an RMW that does not talk": ("rmw.sh", silent_zenoh, "no message over rmw_zenoh_cpp"),
     "another distribution": ("ros_distro.sh", variable(ROS_DISTRO="jazzy"), "ROS_DISTRO=jazzy ROS_VERSION=1, expected"),
-    "another ROS": ("ros_distro.sh", variable(ROS_VERSION="2"), "ROS_VERSION=2, expected noetic and 1"),
     "catkin's complaint": (
         "ros_distro.sh",
         text("etc/catkin/profile.d/1.ros_distro.sh", "echo ROS_DISTRO was set before\n"),
         "ROS_DISTRO was set before",
     ),
     "another wheel": ("ros_wheels.py", variable(EXPECT_WHEELS="ros-jazzy-rclpy==7.2.0"), "ros-jazzy-rclpy 7.1.6, exp"),
-    "no such wheel": ("ros_wheels.py", variable(EXPECT_WHEELS="ros-jazzy-rcl==1"), "PackageNotFoundError"),
     "a requirement of ROS's": (
         "ros_wheels.py",
         says("pip", "echo 'ros-rclpy 7.1.6 requires ros-rcl, which is not installed.'; exit 1"),
@@ -501,17 +452,10 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         text("etc/ros/rosdep/sources.list.d/20-default.list"),
         "rosdep is not initialised",
     ),
-    "a rosdep that asks the network": (
-        "rosdep.sh",
-        says("rosdep", "echo no route to host; exit 1"),
-        "no route to host",
-    ),
     "a program with root's rights": ("setuid.sh", text("opt/tool", mode=0o4755), "not in setuid.txt:\n4755 /opt/tool"),
-    "a program with more rights": ("setuid.sh", text("usr/bin/chage", mode=0o4755), "4755 /usr/bin/chage"),
     "a name that begins like a known one": ("setuid.sh", text("usr/bin/passwd2", mode=0o4755), "4755 /usr/bin/passwd2"),
     "a compiler": ("runtime.sh", text("usr/bin/g++", ""), "usr/bin/g++"),
     "a header": ("runtime.sh", text("usr/include/boost/any.hpp", ""), "usr/include/boost/any.hpp"),
-    "a header of ROS's": ("runtime.sh", text("opt/ros/jazzy/include/rcl/rcl.h", ""), "rcl/rcl.h"),
     "a static library": ("runtime.sh", text("usr/lib/x86_64-linux-gnu/libz.a", ""), "a static library"),
     "headers later": ("runtime.sh", text("etc/dpkg/dpkg.cfg.d/rosml-runtime", ""), "leaves no headers out"),
     "a colcon that lists nothing": (
@@ -530,14 +474,8 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         "No module named 'colcon_bash'",
     ),
     "a tool": ("tools.sh", lambda root: (root.programs / "rosdep").unlink(), "missing: rosdep"),
-    "time zones": (
-        "tools.sh",
-        lambda root: (root.folder / "usr/share/zoneinfo/Europe/Berlin").unlink(),
-        "missing: /usr/share/zoneinfo/Europe/Berlin",
-    ),
     "a group": ("tools.sh", says("getent", "exit 2"), "the groups sudo and video are not both there"),
     "root's own shells": ("tools.sh", text("root/.bashrc", "alias ll=ls\n"), "/root/.bashrc sources no ROS"),
-    "a system without a codename": ("tools.sh", text("etc/os-release", "ID=x\n"), "no CODENAME in /etc/os-release"),
 }
 """What is broken: the check, how, and what it says."""
 
@@ -579,30 +517,24 @@ def test_every_middleware_is_tried(root: Root) -> None:
     """ROS's default one first, then those that the matrix names."""
     middlewares(root)
     assert root.run("rmw.sh").returncode == 0
-    asked = (root.programs / "asked").read_text().splitlines()
-    assert asked == ["=", "rmw_cyclonedds_cpp=rmw_cyclonedds_cpp", "rmw_zenoh_cpp=rmw_zenoh_cpp"]
+    calls = (root.programs / "asked").read_text().splitlines()
+    assert calls == ["=", "rmw_cyclonedds_cpp=rmw_cyclonedds_cpp", "rmw_zenoh_cpp=rmw_zenoh_cpp"]
 
 
 # ---- What the runner makes of the tests' reports ---------------------------------------------------------------------
 
 
-def summary(folder: Path, *names: str) -> str:
-    """What summary.py writes down as failed; empty if nothing is."""
-    subprocess.run([sys.executable, STRUCTURE / "summary.py", folder, *names], check=True, capture_output=True)
-    failed = folder / "failed"
-    return failed.read_text() if failed.exists() else ""
-
-
 def test_silence_is_no_success(tmp_path: Path) -> None:
     passed = {"Total": 1, "Pass": 1, "Fail": 0, "Results": [{"Name": "a", "Pass": True}]}
     (tmp_path / "good.json").write_text(json.dumps(passed))
-    assert summary(tmp_path, "good") == ""
     (tmp_path / "empty.json").write_text(json.dumps({"Total": 0}))
     (tmp_path / "torn.json").write_text("{")
     (tmp_path / "torn.log").write_text("no such file")
     wrong = [{"Name": "b", "Pass": False, "Errors": ["expected 1"], "Stderr": "why"}]
     (tmp_path / "bad.json").write_text(json.dumps({"Total": 2, "Pass": 1, "Fail": 1, "Results": wrong}))
-    assert summary(tmp_path, "good", "empty", "torn", "absent", "bad") == (
+    names = ("good", "empty", "torn", "absent", "bad")
+    subprocess.run([sys.executable, STRUCTURE / "summary.py", tmp_path, *names], check=True, capture_output=True)
+    assert (tmp_path / "failed").read_text() == (
         "empty: no test ran\ntorn: no report: no such file\nabsent: no report: the runner did not start\n"
         "bad: b: expected 1\nwhy\n"
     )

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 from conftest import ROOT
-from packaging.requirements import Requirement
 
 from rosml.images.matrix.patterns import SLOTS
 
@@ -77,13 +76,6 @@ def test_a_requirement_that_nobody_can_read_stops_the_part(tmp_path: Path) -> No
     (found / SITE / "torch-2.10.0.dist-info/METADATA").write_text("Requires-Dist: (>=1)\n")
     with pytest.raises(subprocess.CalledProcessError):
         told(found, "02")
-
-
-def test_pip_reads_a_slot(tmp_path: Path) -> None:
-    """Each line is a requirement as pip and uv have them."""
-    found = part(tmp_path, "torch-2.10.0+cpu", "triton-3.6.0")
-    lines = told(found, "02")[1:]
-    assert [str(Requirement(line)) for line in lines] and all(not Requirement(line).extras for line in lines)
 
 
 def test_packages_of_another_part_are_shown(tmp_path: Path) -> None:

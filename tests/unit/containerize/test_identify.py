@@ -14,7 +14,6 @@ from typing import Any
 import pytest
 
 from fakes.stubs import script_of_a_build
-from rosml import ROOT
 
 RULES: dict[str, dict[str, Any]] = {
     "angles": {"debian": ["libangles-dev"]},
@@ -22,6 +21,9 @@ RULES: dict[str, dict[str, Any]] = {
     "only_on_ubuntu": {"ubuntu": ["libfoo-dev"]},
     "only_old_debian": {"debian": {"buster": ["libbar-dev"], "bookworm": None}, "fedora": None},
     "null_rule": {"debian": None},
+    "by_source": {"debian": ("source", {"uri": "https://example.org/x.rdmanifest", "md5sum": "abc"})},
+    "by_snap": {"debian": ("snap", ["x"])},
+    "above": {"debian": ["above"]},
     "rti-connext-dds-6.0.1": {"ubuntu": {"jammy": ["rti"]}, "rhel": ["rti"]},
 }
 
@@ -33,7 +35,20 @@ class View:
         return [*RULES]
 
     def lookup(self, key: str) -> Any:
-        return SimpleNamespace(data=RULES[key])
+        """By the rules of Debian bookworm. A rule is a list of apt's packages, or a way with anything."""
+
+        def rule_for_platform(*_: object) -> tuple[str, Any]:
+            rule = RULES[key].get("debian")
+            if isinstance(rule, list):
+                return "apt", rule
+            if isinstance(rule, tuple):
+                return rule
+            raise KeyError(key)
+
+        return SimpleNamespace(data=RULES[key], get_rule_for_platform=rule_for_platform)
+
+
+APT = SimpleNamespace(resolve=lambda rule: rule, get_depends=lambda rule: ["by_source"] if rule == ["above"] else [])
 
 
 @pytest.fixture
@@ -51,20 +66,14 @@ def identify(monkeypatch: pytest.MonkeyPatch) -> Any:
         module = ModuleType(name)
         vars(module).update(content)
         monkeypatch.setitem(sys.modules, name, module)
-    monkeypatch.syspath_prepend(ROOT / "components/containerize")
     monkeypatch.delitem(sys.modules, "manifests", raising=False)
     module = script_of_a_build("containerize/identify.py")
 
     class Rosdep(module.Rosdep):  # type: ignore[name-defined, misc]
         def __init__(self, *_: object) -> None:
             self._view, self._may_ask, self.failure = View(), False, ""
+            self._context = SimpleNamespace(get_installer={"apt": APT}.__getitem__)
             self._platform = ("debian", "bookworm", ["apt", "pip"], "apt")
-
-        def _resolve(self, key: str, _above: tuple[str, ...] = ()) -> Any:
-            names = RULES[key].get("debian")
-            if not isinstance(names, list):
-                raise KeyError(key)
-            yield module.Answer("apt", tuple(names))
 
     monkeypatch.setattr(module, "Rosdep", Rosdep)
     vars(module)["has"] = module.provided
@@ -72,8 +81,8 @@ def identify(monkeypatch: pytest.MonkeyPatch) -> Any:
     return module
 
 
-def said(identify: Any, capsys: pytest.CaptureFixture[str], *keys: str) -> str:
-    """What is said of keys that a package `arm` asks for."""
+def printed(identify: Any, capsys: pytest.CaptureFixture[str], *keys: str) -> str:
+    """The messages about keys that a package `arm` asks for."""
     with pytest.raises(SystemExit) as caught:
         identify.answers({"arm": {"exec": {*keys}}, "moveit_arm": {}}, set(), identify.Rosdep())
     return f"{capsys.readouterr().err}{caught.value}"
@@ -82,66 +91,43 @@ def said(identify: Any, capsys: pytest.CaptureFixture[str], *keys: str) -> str:
 @pytest.mark.parametrize(
     ("key", "why"),
     [
-        ("angels", "does not know angels (asked for by arm); there is angles"),
-        ("moveit_arms", "does not know moveit_arms (asked for by arm); there is moveit_arm"),
-        ("nothing_like_it", "does not know nothing_like_it (asked for by arm); no list has it"),
-        (
-            "only_on_ubuntu",
-            "has no rule for only_on_ubuntu on Debian bookworm (asked for by arm); there is one for ubuntu",
-        ),
-        ("only_old_debian", "on Debian bookworm (asked for by arm); there is one for debian buster"),
-        ("rti-connext-dds-6.0.1", "on Debian bookworm (asked for by arm); there is one for ubuntu, rhel"),
-        ("null_rule", "on Debian bookworm (asked for by arm); there is one for no other system"),
+        ("angels", "there is angles"),
+        ("moveit_arms", "there is moveit_arm"),
+        ("nothing_like_it", "no list has it"),
+        ("only_on_ubuntu", "there is one for ubuntu"),
+        ("only_old_debian", "there is one for debian buster"),
+        ("null_rule", "there is one for no other system"),
     ],
 )
 def test_a_key_without_a_package_is_told_with_its_reason(
     identify: Any, capsys: pytest.CaptureFixture[str], key: str, why: str
 ) -> None:
-    text = said(identify, capsys, key, "boost")
-    assert f"error: rosdep {why if why.startswith(('does', 'has')) else f'has no rule for {key} {why}'}\n" in text
-    assert text.endswith(f"--skip-keys '{key}'")
+    what = f"has no rule for {key} on Debian bookworm" if "one for" in why else f"does not know {key}"
+    text = printed(identify, capsys, key, "boost")
+    assert f"error: rosdep {what} (asked for by arm); {why}\n" in text and text.endswith(f"--skip-keys '{key}'")
 
 
 def test_keys_with_rules_elsewhere_can_be_left_out_by_a_line_to_copy(
     identify: Any, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """A typo is none of them."""
-    text = said(identify, capsys, "angels", "only_on_ubuntu", "rti-connext-dds-6.0.1")
+    text = printed(identify, capsys, "angels", "only_on_ubuntu", "rti-connext-dds-6.0.1")
     assert text.endswith("--skip-keys 'only_on_ubuntu rti-connext-dds-6.0.1'")
-    many = said(identify, capsys, *(f"of_nobody_{number:02d}" for number in range(30)))
+    many = printed(identify, capsys, *(f"of_nobody_{number:02d}" for number in range(30)))
     assert many.count("error: rosdep does not know") == 12 and "and 18 keys more\n" in many
 
 
 @pytest.mark.parametrize(
-    ("ros", "key", "foreign"),
-    [
-        ("1", "rclcpp", True),
-        ("1", "ament_cmake", True),
-        ("2", "catkin", True),
-        ("2", "rclcpp", False),
-        ("", "rclpy", False),
-    ],
+    ("ros", "key", "other"), [("1", "rclcpp", "2"), ("2", "catkin", "1"), ("2", "rclcpp", ""), ("", "rclpy", "")]
 )
 def test_packages_of_the_other_ros_are_named(
-    identify: Any,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-    ros: str,
-    key: str,
-    foreign: bool,
+    identify: Any, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, ros: str, key: str, other: str
 ) -> None:
     """A repository may have packages of both, each to be left out where the other one is built."""
     monkeypatch.setenv("ROS_VERSION", ros)
-    text = said(identify, capsys, key)
-    assert (f"error: rosdep does not know {key} (asked for by arm)" in text) != foreign, (
-        "that would be beside the point"
-    )
-    other = {"1": "2", "2": "1"}.get(ros)
-    told = (
-        f"has ROS {ros}, and arm asks for packages of ROS {other}; name a base image with ROS {other} by --base-image"
-    )
-    assert (told in text) == foreign
-    assert ("blacklisted-packages.txt" in text) == foreign != ("--skip-keys" in text)
+    text = printed(identify, capsys, key)
+    assert (f"has ROS {ros}, and arm asks for packages of ROS {other};" in text) == bool(other)
+    assert (f"does not know {key}" in text) == ("--skip-keys" in text) != bool(other)
 
 
 def test_packages_of_cmake_without_a_manifest_are_those_of_the_workspace(identify: Any, tmp_path: Path) -> None:
@@ -160,8 +146,7 @@ def test_packages_of_cmake_without_a_manifest_are_those_of_the_workspace(identif
         file.write_text(text)
     plain = identify.manifests.plain(tmp_path)
     assert plain == {"Sophus", "boost"}
-    found = identify.answers({"arm": {"exec": {"Sophus", "boost"}}}, set(), identify.Rosdep(), plain)
-    assert [*found] == ["boost"]
+    assert [*identify.answers({"arm": {"exec": {"Sophus", "boost"}}}, set(), identify.Rosdep(), plain)] == ["boost"]
 
 
 def test_a_list_of_packages_to_leave_out_may_be_older_than_the_sources(
@@ -172,8 +157,8 @@ def test_a_list_of_packages_to_leave_out_may_be_older_than_the_sources(
         (tmp_path / "src/target" / name / "package.xml").touch()
     monkeypatch.setattr(identify.manifests, "parse_package", lambda path: SimpleNamespace(name=Path(path).parent.name))
     (tmp_path / "list").write_text("leg\nmessage_tf_frame_transformer\n")
-    found = identify.manifests.packages(tmp_path / "src", tmp_path / "list")
-    assert [package.name for _, package in found] == ["arm"]
+    packages = identify.manifests.packages(tmp_path / "src", tmp_path / "list")
+    assert [package.name for _, package in packages] == ["arm"]
     assert "warning: no package is called message_tf_frame_transformer" in capsys.readouterr().err
 
 
@@ -198,7 +183,7 @@ def test_lists_that_were_not_fetched_may_have_a_key(
     offline = identify.Rosdep()
     offline.failure = "https://a: no name"
     monkeypatch.setattr(identify, "Rosdep", lambda: offline)
-    text = said(identify, capsys, "angels", "only_on_ubuntu")
+    text = printed(identify, capsys, "angels", "only_on_ubuntu")
     assert "error: rosdep does not know angels (asked for by arm)\n" in text
     assert "no rule for only_on_ubuntu on Debian bookworm (asked for by arm); there is one for ubuntu\n" in text
     assert "rosdep's lists could not be fetched: https://a: no name; those of the image do not know all keys" in text
@@ -208,9 +193,9 @@ def test_all_hosts_that_fail_are_named(identify: Any) -> None:
     """As rosdep says it: each at once, and all again at the end."""
     error = "ERROR: unable to process source [https://{0}/base.yaml]:\n\t<urlopen error {1}> (https://{0}/base.yaml)\n"
     both = error.format("a", "timed out") + error.format("b", "HTTP Error 404")
-    said = f"{both}ERROR: Not all sources were able to be updated.\n[[[\n{both}]]]\n"
+    output = f"{both}ERROR: Not all sources were able to be updated.\n[[[\n{both}]]]\n"
     reasons = "https://a/base.yaml: <urlopen error timed out>; https://b/base.yaml: <urlopen error HTTP Error 404>"
-    assert identify.reasons(said) == reasons
+    assert identify.reasons(output) == reasons
     both = error.format("a", "no name") + error.format("b", "no name")
     assert identify.reasons(both) == "https://a/base.yaml, https://b/base.yaml: <urlopen error no name>"
     assert identify.reasons("ERROR: error loading sources list:\n\t<urlopen error x>\n") == "<urlopen error x>"
@@ -218,31 +203,54 @@ def test_all_hosts_that_fail_are_named(identify: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    ("said", "calls"), [("HTTP Error 503: busy", 3), ("HTTP Error 429: many", 3), ("HTTP Error 404", 1)]
+    ("error", "calls"), [("HTTP Error 503: busy", 3), ("HTTP Error 429: many", 3), ("HTTP Error 404", 1)]
 )
 def test_a_server_of_lists_that_is_too_busy_is_asked_again(
-    identify: Any, monkeypatch: pytest.MonkeyPatch, said: str, calls: int
+    identify: Any, monkeypatch: pytest.MonkeyPatch, error: str, calls: int
 ) -> None:
     called = []
 
     def run(command: list[str], **_: object) -> Any:
         called.append(command)
-        return SimpleNamespace(returncode=1, stderr=said.encode())
+        return SimpleNamespace(returncode=1, stderr=error.encode())
 
     monkeypatch.setattr(identify.subprocess, "run", run)
     monkeypatch.setattr(identify, "PAUSES", (0.001, 0.001))
-    assert identify.failure(["rosdep", "update"], {}) == said
+    assert identify.failure(["rosdep", "update"], {}) == error
     assert len(called) == calls
 
 
-@pytest.mark.parametrize(
-    "given", ["only_on_ubuntu null_rule", "only_on_ubuntu,null_rule", " only_on_ubuntu,\nnull_rule ,"]
-)
+@pytest.mark.parametrize("words", ["only_on_ubuntu null_rule", " only_on_ubuntu,\nnull_rule ,"])
 def test_keys_to_leave_out_are_separated_by_blanks_or_commas(
-    identify: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, given: str
+    identify: Any, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, words: str
 ) -> None:
-    monkeypatch.setenv("SKIP_KEYS", given)
+    monkeypatch.setenv("SKIP_KEYS", words)
     monkeypatch.setattr(identify, "read", lambda *_: {"arm": {"exec": {"boost", "only_on_ubuntu", "null_rule"}}})
     identify.main(tmp_path, tmp_path, tmp_path, tmp_path, tmp_path / "out")
     facts = json.loads((tmp_path / "out/dependencies.json").read_text())
     assert (facts["skipped"], [*facts["keys"]]) == (["null_rule", "only_on_ubuntu"], ["boost"])
+
+
+def test_conditions_compare_with_the_release_of_the_base_image(
+    identify: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    contexts = list[dict[str, str]]()
+    attributes = {attribute: [] for group in identify.KINDS.values() for attribute in group}
+    package = SimpleNamespace(name="robot", evaluate_conditions=contexts.append, **attributes)
+    monkeypatch.setattr(identify.manifests, "packages", lambda *_: [(Path("target/robot"), package)])
+    monkeypatch.setenv("ROS_DISTRO", "Debian")
+    for conditions in ("noetic", ""):
+        monkeypatch.setenv("CONDITIONS", conditions)
+        identify.read(tmp_path, tmp_path)
+    assert [context["ROS_DISTRO"] for context in contexts] == ["noetic", "Debian"]
+
+
+@pytest.mark.parametrize(
+    ("key", "problem"),
+    [("by_source", r"source: .*x\.rdmanifest"), ("by_snap", "--skip-keys by_snap"), ("above", "source: ")],
+)
+def test_a_rule_that_no_image_can_follow_is_named(identify: Any, key: str, problem: str) -> None:
+    """One of sources asks the network as soon as rosdep looks at it."""
+    packages = {name: {"exec": {key}} for name in ("robot", "arm")}
+    with pytest.raises(SystemExit, match=f"rule for {key}, which arm, robot asks for, .*{problem}"):
+        identify.answers(packages, set(), identify.Rosdep())

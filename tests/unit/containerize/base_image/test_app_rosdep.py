@@ -6,16 +6,13 @@ import dataclasses
 import gzip
 import io
 import shutil
-import sys
 import tarfile
-import types
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from fakes.http_registry import LocalRegistry
-from fakes.stubs import executable, script_of_a_build
+from fakes.apps import services
+from fakes.stubs import executable
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image import rosdep_index
 from rosml.containerize.base_image.base import Base
@@ -24,12 +21,9 @@ from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registry
 
+__all__ = ["services"]
+
 OURS = {"io.rosml.distribution": "jazzy"}
-
-
-@pytest.fixture
-def services(server: LocalRegistry, tmp_path: Path) -> Services:
-    return Services(tmp_path / "state", server.address, ("buildx",), "rosml", "buildkitd", None, "", "", bases=())
 
 
 @pytest.fixture
@@ -187,72 +181,3 @@ def test_a_clone_has_the_same_lists_as_another(checkout: Path, tmp_path: Path) -
     assert sorted(path.name for path in out.iterdir()) == ["index-v4.yaml", "jazzy", "rosdep"]
     with pytest.raises(RosmlError, match=r"has no rosdep/\*\.yaml"):
         rosdep_index.copied(checkout / "jazzy", tmp_path / "out")
-
-
-# ---- rosdep, in the build --------------------------------------------------------------------------------------------
-
-
-RULES: dict[str, tuple[str, Any]] = {
-    "by_source": ("source", {"uri": "https://example.org/x.rdmanifest", "md5sum": "abc"}),
-    "by_snap": ("snap", ["x"]),
-    "above": ("apt", ["above"]),
-}
-
-
-def view_and_context() -> tuple[object, object]:
-    """A view of rosdep's lists with one rule for each key, and an installer that is asked for packages of apt alone."""
-    apt = types.SimpleNamespace(resolve=lambda rule: rule, get_depends=lambda rule: ["by_source"])
-    installers = {"apt": apt}  # others would ask the network
-    view = types.SimpleNamespace(lookup=lambda key: types.SimpleNamespace(get_rule_for_platform=lambda *_: RULES[key]))
-    return view, types.SimpleNamespace(get_installer=installers.__getitem__)
-
-
-@pytest.fixture
-def script(monkeypatch: pytest.MonkeyPatch) -> types.ModuleType:
-    """The script, without modules that only a base image has."""
-    attributes: dict[str, dict[str, object]] = {
-        "rosdep2": dict.fromkeys(("RosdepLookup", "create_default_installer_context", "get_default_installer")),
-        "rosdep2.lookup": {"ResolutionError": LookupError},
-        "rosdep2.rospkg_loader": {"DEFAULT_VIEW_KEY": None},
-        "rosdep2.sources_list": {"SourcesListLoader": None},
-        "manifests": {"fail": lambda text, remedy: sys.exit(f"{text}; {remedy}")},
-    }
-    for name, values in attributes.items():
-        module = types.ModuleType(name)
-        vars(module).update(values)
-        monkeypatch.setitem(sys.modules, name, module)
-    return script_of_a_build("containerize/identify.py")
-
-
-def test_conditions_compare_with_the_release_of_the_base_image(
-    script: types.ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    contexts = list[dict[str, str]]()
-    package = types.SimpleNamespace(name="robot", evaluate_conditions=contexts.append)
-    for attributes in script.KINDS.values():
-        for attribute in attributes:
-            setattr(package, attribute, [])
-    monkeypatch.setattr(script.manifests, "packages", lambda *_: [(Path("target/robot"), package)], raising=False)
-    monkeypatch.setenv("ROS_DISTRO", "Debian")
-    for conditions in ("noetic", ""):
-        monkeypatch.setenv("CONDITIONS", conditions)
-        script.read(tmp_path, tmp_path)
-    assert [context["ROS_DISTRO"] for context in contexts] == ["noetic", "Debian"]
-
-
-@pytest.mark.parametrize(
-    ("key", "problem"),
-    [
-        ("by_source", r"rule for by_source, which arm, robot asks for, .* source: .*x\.rdmanifest"),
-        ("by_snap", r"rule for by_snap, which arm, robot asks for, .* snap: \[\"x\"\]; .*--skip-keys by_snap"),
-        ("above", r"rule for above, which arm, robot asks for, .* source: "),
-    ],
-)
-def test_a_rule_that_no_image_can_follow_is_named(script: types.ModuleType, key: str, problem: str) -> None:
-    """One of sources asks the network as soon as rosdep looks at it."""
-    rosdep = object.__new__(script.Rosdep)
-    rosdep._view, rosdep._context = view_and_context()
-    rosdep._platform, rosdep._may_ask, rosdep.failure = (), False, ""
-    packages = {name: {"exec": {key}} for name in ("robot", "arm")}
-    with pytest.raises(SystemExit, match=problem):
-        script.answers(packages, set(), rosdep)
