@@ -12,17 +12,10 @@ from rosml.registry import oci
 
 DIGEST = f"sha256:{'1' * 64}"
 
-SAVED = oci.encoded(
-    {"os": "linux", "architecture": "amd64", "rootfs": {"type": "layers", "diff_ids": [oci.digest_of(b"")]}}
-)
-
-SAVED_CONTENT = oci.encoded(
-    {
-        "schemaVersion": 2,
-        "config": oci.descriptor(oci.CONFIG, SAVED),
-        "layers": [oci.descriptor("application/vnd.oci.image.layer.v1.tar", b"")],
-    }
-)
+ROOTFS = {"type": "layers", "diff_ids": [oci.digest_of(b"")]}
+SAVED = oci.encoded({"os": "linux", "architecture": "amd64", "rootfs": ROOTFS})
+LAYERS = [oci.descriptor("application/vnd.oci.image.layer.v1.tar", b"")]
+SAVED_CONTENT = oci.encoded({"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, SAVED), "layers": LAYERS})
 
 SAVED_MANIFEST = oci.descriptor(oci.IMAGE, SAVED_CONTENT)
 
@@ -74,20 +67,11 @@ CTEST = """<Site><Testing><Test Status="failed"><Name>bad</Name><FullCommandLine
 <NamedMeasurement name="Exit Code"><Value>SEGFAULT</Value></NamedMeasurement>
 <Measurement><Value>last</Value></Measurement></Results></Test></Testing></Site>"""
 
-APP: dict[str, Any] = {
-    name: [] for name in ("packages", "changed", "replaced", "removed", "built", "lost", "absent", "outside", "pip")
-}
-
+LISTS = ("packages", "changed", "replaced", "removed", "built", "lost", "absent", "outside", "pip")
+APP: dict[str, Any] = {name: [] for name in LISTS}
 APP |= {"architecture": "amd64", "apt": {"tree": "2.1"}, "forgotten": {}}
 
-JOB: dict[str, Any] = {
-    "target": "run",
-    "name": "ghcr.io/me/robot",
-    "tags": ["latest"],
-    "end": "-amd64",
-    "platforms": ["linux/amd64"],
-}
-
+JOB = {"target": "run", "name": "ghcr.io/me/robot", "tags": ["latest"], "end": "-amd64", "platforms": ["linux/amd64"]}
 JOB |= {"digest": DIGEST}
 
 PACKAGES = {
@@ -142,15 +126,15 @@ Architecture: all
 Version: 1:2.1
 """
 
-LIBRARY = {
-    "path": "a.so",
-    "id": "0" * 40,
-    "soname": "a",
-    "machine": [2, 1, 62],
-    "needed": ["b"],
-    "symbols": "AAAA",
-    "uses": ["c@D"],
-}
+FLEET = b"""\
+apps:
+  - app: ghcr.io/me/robot:v*
+    base: ghcr.io/us/ros:jazzy-base
+  - {app: a.example/b, check: run, command: c}
+"""
+
+LIBRARY = {"path": "a.so", "id": "0" * 40, "soname": "a", "machine": [2, 1, 62]}
+LIBRARY |= {"needed": ["b"], "symbols": "AAAA", "uses": ["c@D"]}
 
 FACTS = {
     "packages": [{"name": "a", "architecture": "all", "version": "1", "depends": "b (>= 1)", "files": ["c"]}],
@@ -218,14 +202,8 @@ LISTED = {
     "schemaVersion": 2,
     "mediaType": oci.INDEX,
     "manifests": [
-        {
-            "mediaType": oci.IMAGE,
-            "digest": DIGEST,
-            "size": 1,
-            "platform": {"os": "linux", "architecture": "arm64", "variant": "v8"},
-            "annotations": {"a": "b"},
-            "artifactType": "a/b",
-        }
+        {"mediaType": oci.IMAGE, "digest": DIGEST, "size": 1, "annotations": {"a": "b"}, "artifactType": "a/b"}
+        | {"platform": {"os": "linux", "architecture": "arm64", "variant": "v8"}}
     ],
 }
 
@@ -284,6 +262,9 @@ SBOM = {
     ],
 }
 
+VULNERABILITY = {"VulnerabilityID": "CVE-2026-1", "PkgName": "tree", "InstalledVersion": "2.1", "FixedVersion": "2.2"}
+VULNERABILITY |= {"Severity": "HIGH", "Title": "bad", "PrimaryURL": "https://example.org"}
+
 REPORT = {
     "SchemaVersion": 2,
     "Metadata": {"OS": {"Family": "debian", "Name": "12.12", "EOSL": True}},
@@ -291,32 +272,24 @@ REPORT = {
         {
             "Type": "debian",
             "Packages": [{"Name": "tree"}],
-            "Vulnerabilities": [
-                {
-                    "VulnerabilityID": "CVE-2026-1",
-                    "PkgName": "tree",
-                    "InstalledVersion": "2.1",
-                    "FixedVersion": "2.2",
-                    "Severity": "HIGH",
-                    "Title": "bad",
-                    "PrimaryURL": "https://example.org",
-                }
-            ],
+            "Vulnerabilities": [VULNERABILITY],
         }
     ],
 }
 
-INFO = {
-    "ServerVersion": "27",
-    "SecurityOptions": ["name=seccomp"],
-    "Runtimes": {"runc": {}},
-    "CDISpecDirs": ["/etc/cdi"],
-    "Name": "robot",
-}
+INFO = {"ServerVersion": "27", "SecurityOptions": ["name=seccomp"], "Runtimes": {"runc": {}}}
+INFO |= {"CDISpecDirs": ["/etc/cdi"], "Name": "robot"}
 
 IMAGE = {
     "Id": DIGEST,
     "Config": {"Env": ["A=b"], "Labels": {"a": "b"}, "Entrypoint": ["/x"], "Cmd": ["bash"], "User": ""},
+}
+
+IN_ENGINE = {
+    "Id": DIGEST,
+    "RepoDigests": [f"a@{DIGEST}"],
+    "RootFs": {"Layers": [DIGEST]},
+    "Config": IMAGE["Config"],
 }
 
 CONTAINER = b" ".join(
@@ -398,44 +371,15 @@ deb http://archive.test/debian bookworm main
 exec "$@"
 """
 
-RESULTS = {
-    "version": 1,
-    "date": "2026-11-22T03:00:00Z",
-    "entries": [
-        {
-            "target": "alpha-base",
-            "architecture": "amd64",
-            "digest": DIGEST,
-            "scanned": "clean",
-            "scan": {"findings": {"high": 1}, "packages": 2},
-        }
-    ],
-}
+RESULT = {"target": "alpha-base", "architecture": "amd64", "digest": DIGEST, "scanned": "clean"}
+RESULT |= {"scan": {"findings": {"high": 1}, "packages": 2}}
+RESULTS = {"version": 1, "date": "2026-11-22T03:00:00Z", "entries": [RESULT]}
 
 TESTS = {"Results": [{"Name": "Command Test: a", "Pass": True, "Duration": 5e9, "Errors": ["x"], "Stdout": "y"}]}
 
-SERVICES = {
-    "registry": "127.0.0.1:5000",
-    "buildx": ["docker", "buildx"],
-    "builder": "rosml",
-    "builder_kind": "ours",
-    "buildx_config": None,
-    "uv": "uv",
-    "ca_bundle": "",
-    "bases": [],
-}
+SERVICES = {"registry": "127.0.0.1:5000", "buildx": ["docker", "buildx"], "builder": "rosml", "builder_kind": "ours"}
+SERVICES |= {"buildx_config": None, "uv": "uv", "ca_bundle": "", "bases": []}
 
-PLAN = {
-    "version": 1,
-    "date": "2026-11-22T03:00:00Z",
-    "registry": "registry.test/rosml",
-    "architectures": ["amd64"],
-    "serve": [],
-    "force": False,
-    "package_state": {"jazzy": "x"},
-    "targets": ["alpha"],
-    "shards": [],
-    "tasks": [],
-    "unchanged": 0,
-    "remarks": [],
-}
+PLAN = {"version": 1, "date": "2026-11-22T03:00:00Z", "registry": "registry.test/rosml", "architectures": ["amd64"]}
+PLAN |= {"serve": [], "force": False, "package_state": {"jazzy": "x"}, "targets": ["alpha"]}
+PLAN |= {"shards": [], "tasks": [], "unchanged": 0, "remarks": []}

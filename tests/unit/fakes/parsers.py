@@ -12,7 +12,7 @@ import json
 import sys
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
@@ -32,7 +32,7 @@ sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts f
 
 from rosml.base import archives, untrusted, web
 from rosml.base.errors import RosmlError
-from rosml.containerize import env_file, lock, names
+from rosml.containerize import env_file, lock
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image import rosdep_index
@@ -48,7 +48,7 @@ from rosml.containerize.rebase import compatibility, fleet, image, trial
 from rosml.containerize.rebase.attachments import BaseContents
 from rosml.containerize.sources import repos_file, tree, versions
 from rosml.containerize.sources import store as sources_store
-from rosml.delivery import apply_patch, archive, make_patch
+from rosml.delivery import archive, patch
 from rosml.delivery import engine as layers_of_engine
 from rosml.delivery import image as saved_image
 from rosml.delivery.complete import choose, complete
@@ -108,15 +108,20 @@ def as_json(*values: Any) -> tuple[bytes, ...]:
 # ---- Apps ------------------------------------------------------------------------------------------------------------
 
 
-def said_of(document: bytes, folder: Path) -> object:
+def uncompressed(document: bytes) -> bytes:
+    """The builder's archives are not compressed, and some documents have more than memory holds."""
+    with contextlib.suppress(zlib.error):
+        return zlib.decompressobj(31).decompress(document, 20 << 20)
+    return document
+
+
+def app_report_of(document: bytes, folder: Path) -> object:
     (folder / "report.tar").write_bytes(gzip.decompress(tar_of(("app.json", document))))
-    return report.of_app(folder / "report.tar", folder / "said", ("linux/amd64",)).apps()
+    return report.of_app(folder / "report.tar", folder / "report", ("linux/amd64",)).apps()
 
 
-def left_of(document: bytes, folder: Path) -> object:
-    with contextlib.suppress(zlib.error):  # the builder's is not compressed; some have more than memory holds
-        document = zlib.decompressobj(31).decompress(document, 20 << 20)
-    (folder / "results.tar").write_bytes(document)
+def results_of_tests(document: bytes, folder: Path) -> object:
+    (folder / "results.tar").write_bytes(uncompressed(document))
     return report.of_tests(folder / "results.tar", folder / "report", ("linux/amd64",))
 
 
@@ -130,26 +135,16 @@ def job_of(document: bytes, folder: Path) -> object:
     return job.built_images(folder)
 
 
-def rosdep_index_of(document: bytes, folder: Path) -> object:
-    (folder / "rosdep").mkdir()
-    (folder / "jazzy").mkdir()
-    (folder / "rosdep/base.yaml").write_bytes(documents.KEYS)
-    (folder / "jazzy/distribution.yaml").write_bytes(b"repositories: {}\n")
-    (folder / "index-v4.yaml").write_bytes(document)
+def rosdep_lists(folder: Path, index: bytes = documents.INDEX, keys: bytes = documents.KEYS) -> object:
+    texts = {"rosdep/base.yaml": keys, "jazzy/distribution.yaml": b"repositories: {}\n", "index-v4.yaml": index}
+    for name, text in texts.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_bytes(text)
     return rosdep_index.packed(folder)
 
 
-def rosdep_list_of(document: bytes, folder: Path) -> object:
-    (folder / "rosdep").mkdir()
-    (folder / "jazzy").mkdir()
-    (folder / "rosdep/base.yaml").write_bytes(document)
-    (folder / "jazzy/distribution.yaml").write_bytes(b"repositories: {}\n")
-    (folder / "index-v4.yaml").write_bytes(documents.INDEX)
-    return rosdep_index.packed(folder)
-
-
-def requirements_of(document: bytes, folder: Path) -> object:
-    return script("pip_install").requirements(document)
+def tests_of(file: Path) -> object:
+    return junit.read(file.parents[1])
 
 
 @functools.cache
@@ -193,6 +188,12 @@ def installed(name: str) -> Callable[[bytes, Path], object]:
         return lacking.lost, lacking.absent, lacking.imported(folder / "image"), [*link.modules(), *link.not_found()]
 
     return read
+
+
+def upstream(file: Path) -> object:
+    folder = file.with_name("up")
+    folder.mkdir()
+    return tree.Tree(folder).has("a", "b", "c")
 
 
 def submodules_of(document: bytes, folder: Path) -> object:
@@ -285,16 +286,15 @@ def results_of(file: Path) -> object:
     return [*receiver.outcomes]
 
 
-def inputs_of(document: bytes, folder: Path) -> object:
-    records = store.Records(Place(MemoryRegistry(), PREFIX))
-    records.artifact("alpha-base.amd64", document, {})
-    return records.inputs("alpha-base", "amd64")
+def recorded(tag: str, read: Callable[[store.Records], object]) -> Callable[[bytes, Path], object]:
+    """Reads an artifact of the records."""
 
+    def read_document(document: bytes, folder: Path) -> object:
+        records = store.Records(Place(MemoryRegistry(), PREFIX))
+        records.artifact(tag, document, {})
+        return read(records)
 
-def moves_of(document: bytes, folder: Path) -> object:
-    records = store.Records(Place(MemoryRegistry(), PREFIX))
-    records.artifact("undo.1", document, {})
-    return [move.to_json() for move in tag_moves.read_moves(records, "undo.1")]
+    return read_document
 
 
 class Sent(MemoryRegistry):
@@ -327,9 +327,7 @@ def archived(index: bytes = b"", manifest: bytes = b"", config: bytes = document
 
 
 def image_of(document: bytes, folder: Path) -> object:
-    with contextlib.suppress(zlib.error):  # as in `left_of`
-        document = zlib.decompressobj(31).decompress(document, 20 << 20)
-    return saved_image.read(archive.Archive(io.BytesIO(document), "a")).missing
+    return saved_image.read(archive.Archive(io.BytesIO(uncompressed(document)), "a")).missing
 
 
 def reply(code: int, content: bytes = b"", headers: Any = None) -> httpx.Response:
@@ -406,10 +404,15 @@ def docker_config_of(document: bytes, folder: Path) -> object:
     return login
 
 
-def helper_of(document: bytes, folder: Path) -> object:
+def answering(folder: Path, name: str, document: bytes, before: str = "") -> str:
+    """A program that prints a document."""
     (folder / "answer").write_bytes(document)
+    return stubs.executable(folder / name, f"{before}\nexec cat {folder}/answer")
+
+
+def helper_of(document: bytes, folder: Path) -> object:
     (folder / "config.json").write_text('{"credsStore": "a"}')
-    stubs.executable(folder / "docker-credential-a", f"exec cat {folder}/answer")
+    answering(folder, "docker-credential-a", document)
     with pytest.MonkeyPatch.context() as patched:
         patched.setenv("DOCKER_CONFIG", str(folder))
         patched.setenv("PATH", f"{folder}:/usr/bin:/bin")
@@ -464,10 +467,6 @@ def judged(document: bytes, folder: Path) -> object:
     return [compatibility.judge(app, base, BaseContents((), base, *files), {}, {}) for app, base in pairs]
 
 
-def lists_of_files(document: bytes, folder: Path) -> object:
-    return file_lists.Files.parse(file_lists.unpacked(document))
-
-
 def packages_of_archive(document: bytes, folder: Path) -> object:
     release = f" {hashlib.sha256(document).hexdigest()} 1 main/binary-amd64/Packages.gz\n".encode()
     with pytest.MonkeyPatch.context() as patched:
@@ -476,23 +475,16 @@ def packages_of_archive(document: bytes, folder: Path) -> object:
         return sync.lacking(folder, repository, "amd64", ["tree"])
 
 
-OLD_LAYER = gzip.decompress(tar_of(("a", b"one" * 2000), ("b", bytes(9000))))
+OLDER_LAYER = gzip.decompress(tar_of(("a", b"one" * 2000), ("b", bytes(9000))))
 NEW_LAYER = gzip.decompress(tar_of(("a", b"one" * 1999 + b"two"), ("c", bytes(9000)), ("d", b"three")))
-PATCH_PLAN, *FRAMES = make_patch.make(io.BytesIO(OLD_LAYER), io.BytesIO(NEW_LAYER))
-
-
+PATCH_PLAN, *FRAMES = patch.make(io.BytesIO(OLDER_LAYER), io.BytesIO(NEW_LAYER))
 PATCH = b"".join((PATCH_PLAN, *FRAMES))
 
 
 def patches_of(patch_bytes: bytes) -> bytes:
-    entry = {
-        "mediaType": apply_patch.MEDIA_TYPE,
-        "digest": oci.digest_of(patch_bytes),
-        "size": len(patch_bytes),
-        "image": "a",
-    }
-    old_layer = {"digest": oci.digest_of(OLD_LAYER), "diff_id": oci.digest_of(OLD_LAYER), "size": len(OLD_LAYER)}
-    return json.dumps({oci.digest_of(NEW_LAYER): {**entry, "old": old_layer}}).encode()
+    older = {"digest": oci.digest_of(OLDER_LAYER), "diff_id": oci.digest_of(OLDER_LAYER), "size": len(OLDER_LAYER)}
+    entry = {**oci.descriptor(patch.MEDIA_TYPE, patch_bytes), "image": "a", "old": older}
+    return json.dumps({oci.digest_of(NEW_LAYER): entry}).encode()
 
 
 def with_patch(patch_bytes: bytes, document: bytes = b"") -> object:
@@ -506,11 +498,10 @@ def with_patch(patch_bytes: bytes, document: bytes = b"") -> object:
     blobs = [(archive.path(oci.digest_of(data)), data) for data in (manifest, config, patch_bytes)]
     app_archive = tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, oci.encoded(content)), *blobs)
     image = saved_image.read(archive.Archive(io.BytesIO(gzip.decompress(app_archive)), "a"))
-    old_archive = tar_of(
-        (archive.LAYOUT, b"{}"), (archive.INDEX, b"{}"), (archive.path(oci.digest_of(OLD_LAYER)), OLD_LAYER)
-    )
-    old_image = InArchive(archive.Archive(io.BytesIO(gzip.decompress(old_archive)), "b"))
-    return complete(image, choose(image, [old_image]), io.BytesIO())
+    layer = (archive.path(oci.digest_of(OLDER_LAYER)), OLDER_LAYER)
+    older_archive = tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, b"{}"), layer)
+    older_image = InArchive(archive.Archive(io.BytesIO(gzip.decompress(older_archive)), "b"))
+    return complete(image, choose(image, [older_image]), io.BytesIO())
 
 
 def unpacked(document: bytes, folder: Path) -> object:
@@ -554,14 +545,7 @@ def database_of(document: bytes, folder: Path) -> object:
 def answered(what: str, ask: Callable[[str], object]) -> Callable[[bytes, Path], object]:
     """Asks an engine that answers one question with the document, and fails at others."""
 
-    def read(document: bytes, folder: Path) -> object:
-        (folder / "answer").write_bytes(document)
-        program = folder / "docker"
-        program.write_text(f"#!/bin/sh\n[ $1 = {what} ] && exec cat {folder}/answer\nexit 1\n")
-        program.chmod(0o755)
-        return ask(str(program))
-
-    return read
+    return lambda document, folder: ask(answering(folder, "docker", document, f"[ $1 = {what} ] || exit 1"))
 
 
 def defaults_of(document: bytes, folder: Path) -> object:
@@ -601,8 +585,7 @@ def kernel_of(document: bytes, folder: Path) -> object:
 
 
 def docker_image_of(document: bytes, folder: Path) -> object:
-    (folder / "answer").write_bytes(document)
-    stubs.executable(folder / "docker", f"exec cat {folder}/answer")
+    answering(folder, "docker", document)
     with pytest.MonkeyPatch.context() as patched:
         nothing = httpx.MockTransport(lambda request: reply(404))
         patched.setattr(web, "client", lambda **_: httpx.Client(transport=nothing))
@@ -612,18 +595,13 @@ def docker_image_of(document: bytes, folder: Path) -> object:
 
 
 def images_of_engine(document: bytes, folder: Path) -> object:
-    (folder / "answer").write_bytes(document)
-    text = f"[ $2 = ls ] && echo {'1' * 64} && exit\nexec cat {folder}/answer"
-    program = stubs.executable(folder / "engine", text)
+    program = answering(folder, "engine", document, f"[ $2 = ls ] && echo {'1' * 64} && exit")
     return engine.layers(program), engine.image_names(program)
 
 
 def saved_by_engine(document: bytes, folder: Path) -> object:
-    with contextlib.suppress(zlib.error):  # as in `left_of`
-        document = zlib.decompressobj(31).decompress(document, 20 << 20)
-    (folder / "answer").write_bytes(document)
-    program = stubs.executable(folder / "docker", f"exec cat {folder}/answer")
-    layer = saved_image.Layer(digest=documents.DIGEST, diff_id=oci.digest_of(b"x"), size=1)
+    program = answering(folder, "docker", uncompressed(document))
+    layer = saved_image.Layer(documents.DIGEST, oci.digest_of(b"x"), 1)
     for item in layers_of_engine.InEngine(program, "1" * 64, frozenset([layer.diff_id])).take([layer]):
         item.send(lambda blocks: print(*map(len, blocks), file=io.StringIO()))
     return None
@@ -666,13 +644,13 @@ def wheel_of(document: bytes, folder: Path) -> object:
 
 
 def pylock_of(document: bytes, folder: Path) -> object:
-    class OneAnswer(Uv):
-        def __call__(self, arguments: Sequence[str], folder: Path) -> tuple[int, str]:
-            (folder / "pylock.toml").write_bytes(document)
-            return 0, ""
+    def uv(_: list[str], place: Path) -> tuple[int, str]:
+        (place / "pylock.toml").write_bytes(document)
+        return 0, ""
 
+    run: Any = uv
     nothing = httpx.Client(transport=httpx.MockTransport(lambda _: reply(404)))
-    return index.Index(OneAnswer(), nothing).wheels(index.WheelTarget("3.12", "x86_64-manylinux_2_28"), {"a": "1"})
+    return index.Index(run, nothing).wheels(index.WheelTarget("3.12", "x86_64-manylinux_2_28"), {"a": "1"})
 
 
 def github_of(document: bytes, folder: Path) -> object:
@@ -692,12 +670,9 @@ def progress_of(document: bytes, folder: Path) -> object:
 
 
 def base_of_command(document: bytes, folder: Path) -> object:
-    (folder / "answer").write_bytes(document)
-    machine = stubs.services(folder, bases=[stubs.executable(folder / "bases", f"exec cat {folder}/answer")])
+    machine, name = stubs.services(folder, bases=[answering(folder, "bases", document)]), "ubuntu-24.04"
     systems = SMALL_SET.matrix.operating_systems
-    return base_images.reference(machine, systems, "ubuntu-24.04"), base_images.missing(
-        machine, systems, "ubuntu-24.04"
-    )
+    return base_images.reference(machine, systems, name), base_images.missing(machine, systems, name)
 
 
 def adopted_of(file_text: str) -> object:
@@ -758,14 +733,10 @@ PARSERS: dict[str, Parser] = {
     "condition in a manifest": Parser(
         "text", [b"($ROS_VERSION == 1 or $ROS_DISTRO > 'foxy') and a != b"], text(lambda content: holds(content, {}))
     ),
-    "JUnit file": Parser(
-        "xml", [documents.SUITE.encode()], written("results/a/b.xml", lambda file: junit.read(file.parents[1]))
-    ),
-    "CTest's file": Parser(
-        "xml", [documents.CTEST.encode()], written("results/a/b.xml", lambda file: junit.read(file.parents[1]))
-    ),
-    "what steps of a build say": Parser("json", as_json(documents.APP), said_of),
-    "archive of a build": Parser("tar", [tar_of(("results/a/b.xml", documents.SUITE.encode()))], left_of),
+    "JUnit file": Parser("xml", [documents.SUITE.encode()], written("results/a/b.xml", tests_of)),
+    "CTest's file": Parser("xml", [documents.CTEST.encode()], written("results/a/b.xml", tests_of)),
+    "what steps of a build say": Parser("json", as_json(documents.APP), app_report_of),
+    "archive of a build": Parser("tar", [tar_of(("results/a/b.xml", documents.SUITE.encode()))], results_of_tests),
     "images of a job": Parser("json", as_json([documents.JOB]), job_of),
     "packages of an image": Parser(
         "json", as_json(documents.PACKAGES), lambda document, folder: contents.sbom(document, "a", {})
@@ -785,17 +756,13 @@ PARSERS: dict[str, Parser] = {
     "facts of an image": Parser(
         "json", as_json(documents.FACTS), lambda document, folder: facts.parse(gzip.compress(document))
     ),
-    "apps that move": Parser(
-        "yaml",
-        [
-            b"apps:\n  - app: ghcr.io/me/robot:v*\n    base: ghcr.io/us/ros:jazzy-base\n  - {app: a.example/b, check: run, command: c}\n"
-        ],
-        written("apps.yaml", fleet.read),
-    ),
+    "apps that move": Parser("yaml", [documents.FLEET], written("apps.yaml", fleet.read)),
     "lines of a trial": Parser(
         "json", [b'"lib/a: undefined symbol: b"\n"import c: d"\n'], lambda document, _: trial.lines(document)
     ),
-    "report of pip": Parser("json", as_json(documents.PIP), requirements_of),
+    "report of pip": Parser(
+        "json", as_json(documents.PIP), lambda document, _: script("pip_install").requirements(document)
+    ),
     "options in a list of pip": Parser(
         "text", [b"--index-url 'https://index.test/x'  # x\n-r b.txt\ntree==1.0\n"], written("a.txt", options_of)
     ),
@@ -803,10 +770,10 @@ PARSERS: dict[str, Parser] = {
         "json", [documents.LOCK.text().encode()], written("a.lock", lambda file: lock.read(file, file.parent))
     ),
     "folder of upstream sources": Parser(
-        "json", as_json({"a": ["https://example.org/a", "c" * 40]}), written(".up.json", lambda file: upstream(file))
+        "json", as_json({"a": ["https://example.org/a", "c" * 40]}), written(".up.json", upstream)
     ),
-    "rosdep's index": Parser("yaml", [documents.INDEX], rosdep_index_of),
-    "rosdep's list": Parser("yaml", [documents.KEYS], rosdep_list_of),
+    "rosdep's index": Parser("yaml", [documents.INDEX], lambda document, folder: rosdep_lists(folder, index=document)),
+    "rosdep's list": Parser("yaml", [documents.KEYS], lambda document, folder: rosdep_lists(folder, keys=document)),
     "rosdep's lists of a registry": Parser(
         "tar", [tar_of(("rosdep/base.yaml", documents.KEYS), ("index-v4.yaml", documents.INDEX))], unpacked
     ),
@@ -838,13 +805,17 @@ PARSERS: dict[str, Parser] = {
         written("a.json", dev_folder.read_record),
     ),
     "scan of a record": Parser("json", as_json(documents.ENTRY["scan"]), scan_of),
-    "inputs of a record": Parser("json", as_json({"inputs": {"a": "b"}, **documents.ENTRY}), inputs_of),
+    "inputs of a record": Parser(
+        "json",
+        as_json({"inputs": {"a": "b"}, **documents.ENTRY}),
+        recorded("alpha-base.amd64", lambda records: records.inputs("alpha-base", "amd64")),
+    ),
     "moves of tags": Parser(
         "json",
         as_json({"date": "x", "moves": [{"repository": "ros", "tag": "a", "old": "", "new": documents.DIGEST}]}),
-        moves_of,
+        recorded("undo.1", lambda records: [move.to_json() for move in tag_moves.read_moves(records, "undo.1")]),
     ),
-    "documents.SBOM": Parser("json", as_json(documents.SBOM), sbom_of),
+    "SBOM": Parser("json", as_json(documents.SBOM), sbom_of),
     "report of trivy": Parser("json", as_json(documents.REPORT), report_of),
     "database of trivy": Parser(
         "json", as_json({"Version": 2, "UpdatedAt": "2026-11-22T00:00:00.123Z", "NextUpdate": "x"}), database_of
@@ -933,28 +904,14 @@ PARSERS: dict[str, Parser] = {
     "answer of a credential helper": Parser("json", as_json({"Username": "a", "Secret": "b"}), helper_of),
     "config of an image": Parser("json", as_json(documents.BASED), config_of),
     "facts of an app that moves": Parser("json", as_json(documents.FACTS), judged),
-    "files of an image": Parser("tar", [gzip.compress(b"usr/bin/a\n" * 50, mtime=0)], lists_of_files),
+    "files of an image": Parser(
+        "tar",
+        [gzip.compress(b"usr/bin/a\n" * 50, mtime=0)],
+        lambda document, _: file_lists.Files.parse(file_lists.unpacked(document)),
+    ),
     "packages of a repository": Parser("tar", [gzip.compress(documents.STATUS, mtime=0)], packages_of_archive),
-    "image in docker": Parser(
-        "json",
-        as_json(
-            [{"Id": documents.DIGEST, "RepoDigests": [f"a@{documents.DIGEST}"], "Config": documents.IMAGE["Config"]}]
-        ),
-        docker_image_of,
-    ),
-    "images of an engine": Parser(
-        "json",
-        as_json(
-            [
-                {
-                    "Id": documents.DIGEST,
-                    "RepoDigests": [f"a@{documents.DIGEST}"],
-                    "RootFs": {"Layers": [documents.DIGEST]},
-                }
-            ]
-        ),
-        images_of_engine,
-    ),
+    "image in docker": Parser("json", as_json([documents.IN_ENGINE]), docker_image_of),
+    "images of an engine": Parser("json", as_json([documents.IN_ENGINE]), images_of_engine),
     "archive of an engine": Parser("tar", [tar_of((f"blobs/sha256/{oci.digest_of(b'x')[7:]}", b"x"))], saved_by_engine),
     "compose file": Parser("yaml", [documents.COMPOSE], text(composed)),
     "cookies of a display": Parser("text", [COOKIES], cookies_of),
@@ -978,9 +935,3 @@ PARSERS: dict[str, Parser] = {
     "JSON": Parser("json", as_json(documents.PLAN), lambda document, folder: untrusted.json_of(document, "a")),
     "YAML": Parser("yaml", [documents.KEYS], lambda document, folder: untrusted.yaml_of(document, "a")),
 }
-
-
-def upstream(file: Path) -> object:
-    folder = file.with_name("up")
-    folder.mkdir()
-    return tree.Tree(folder).has("a", "b", "c"), names
