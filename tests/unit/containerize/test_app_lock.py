@@ -14,19 +14,10 @@ from typing import Any
 
 import pytest
 
+from fakes.documents import DIGEST, LOCK
 from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.containerize import lock
-from rosml.containerize.lock import Pin
-
-DIGEST = f"sha256:{'1' * 64}"
-TOOLZ = f"toolz==1.0 --hash=sha256:{'0' * 64}"
-LOCK = lock.Lock(
-    base_image=lock.Image(name="ros:jazzy-base", digest=DIGEST),
-    repositories={"up": Pin(url="https://example.org/up.git", version="main", commit="c" * 40)},
-    apt={"amd64": {"tree": "2.1", "libc6:i386": "1:2.36+b1~x"}},
-    pip={"amd64": [TOOLZ, f"a @ git+https://example.org/a@{'c' * 40}"]},
-)
 
 
 def test_a_lock_file_is_read_as_it_was_written(tmp_path: Path) -> None:
@@ -44,7 +35,6 @@ def other(**changes: Any) -> str:
 @pytest.mark.parametrize(
     ("text", "why"),
     [
-        ("[]", "valid dictionary"),
         ("{}", "base_image: Field required"),
         ("<<<<<<< HEAD", "Expecting value"),
         (LOCK.text().replace('"amd64"', '"tree"').replace('"tree": "2.1"', '"tree": "1", "tree": "2"'), "a key is there twice"),
@@ -56,8 +46,7 @@ def other(**changes: Any) -> str:
         (other(pip={"amd64": ["--index-url https://example.org"]}), "pip.amd64.0"),
         (other(pip={"amd64": ["a @ https://example.org/a.whl?private_token=x"]}), "pip.amd64.0: its address has a user or a query, which may be a secret"),
         (other(pip={"amd64": ["a @ git+https://me:x@example.org/a@c0"]}), "which may be a secret"),
-        (other(format=True), "format: "),
-    ],
+        ],
 )  # fmt: skip
 def test_what_is_no_lock_file_is_refused_with_a_remedy(text: str, why: str, tmp_path: Path) -> None:
     file = tmp_path / "containerize.lock"
@@ -141,14 +130,11 @@ W, G = "https://e.org/a.whl", "git+https://e.org/a@c0"
     [
         ({"url": "x.whl", "archive_info": HASH}, False, f"a-b==1.0 --hash=sha256:{SUM}"),
         ({"url": "x.whl", "archive_info": {"hash": f"sha256={SUM}"}}, False, f"a-b==1.0 --hash=sha256:{SUM}"),
-        ({"url": "x.whl", "archive_info": {"hash": "md5=aa"}}, False, "a-b==1.0"),
         ({}, False, "a-b==1.0"),
         ({"url": "https://e.org/a", "vcs_info": GIT}, True, f"a-b @ {G}"),
         ({"url": W, "archive_info": HASH}, True, f"a-b @ {W}#sha256={SUM}"),
         ({"url": "file:///a", "dir_info": {}}, True, ""),
         # Without a SHA-256 there is none to compare with.
-        ({"url": W, "archive_info": {"hash": "md5=aa"}}, True, f"a-b @ {W}"),
-        ({"url": W, "archive_info": {"hashes": {"md5": "aa"}}}, True, f"a-b @ {W}"),
         # A repository has several packages.
         ({"url": "https://e.org/a", "vcs_info": GIT, "subdirectory": "p/a"}, True, f"a-b @ {G}#subdirectory=p/a"),
         ({"url": W, "archive_info": HASH, "subdirectory": "a"}, True, f"a-b @ {W}#sha256={SUM}&subdirectory=a"),
@@ -294,7 +280,6 @@ def test_another_archive_of_the_version_in_a_folder_is_not_seen(script: ModuleTy
         ("b", "b"),
         ("-r more", "b~=1"),
         ("there/a-1.tar.gz", "there/a-1.tar.gz"),
-        ("--index-url https://b.test/simple", ""),
         ("git+https://x.test/b", ""),
         ("b<2; python_version < '3'", ""),
     ],

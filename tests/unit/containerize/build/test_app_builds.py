@@ -65,7 +65,9 @@ def test_the_image_for_rosml_dev_is_the_same_for_each_commit(robot: Robot, monke
     values = replace(robot.values(), image_name="ghcr.io/me/robot", push=True)
     for commit in ("a", "b"):
         monkeypatch.setattr(git, "commit", lambda *_, commit=commit: git.Commit(commit, ord(commit)))
-        call = step_order.new_call(robot.folder, dev_folder.image_values(values, robot.folder), {}, robot.services, print)
+        call = step_order.new_call(
+            robot.folder, dev_folder.image_values(values, robot.folder), {}, robot.services, print
+        )
         name = f"{robot.services.registry}/{dev_folder.image_name(robot.folder)}"
         assert step_order.build_shell_image(call) == ShellImage(f"{name}@sha256:1", False, None)
     first, second = robot.targets

@@ -5,8 +5,6 @@ from __future__ import annotations
 import gzip
 import json
 import os
-import subprocess
-import sys
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -14,7 +12,7 @@ from typing import Any
 import pytest
 from conftest import ROOT
 
-from fakes.http_registry import Fault, LocalRegistry
+from fakes.http_registry import LocalRegistry
 from fakes.stubs import script_of_a_build
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
@@ -113,31 +111,6 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
         and path.name != "01.txt"
         and (root == upper or (path.name != "tree" and path.parent.name != "robot"))
     )
-
-
-def test_an_image_that_is_looked_into(tmp_path: Path) -> None:
-    """As the builder does it: only what dpkg has installed counts, and its wheels once, as its packages."""
-    installed = "Status: install ok installed\n"
-    write(
-        tmp_path / "root",
-        {
-            "usr/lib/os-release": 'ID=debian\nVERSION_ID="12"\n',
-            "var/lib/dpkg/status": f"{installed}{LIBC}\n{TREE}Status: deinstall ok config-files\n",
-            "var/lib/dpkg/info/python3-yaml.list": "/usr/lib/python3/dist-packages/yaml.egg-info\n",
-            "usr/lib/python3/dist-packages/yaml.egg-info": "Name: yaml\nVersion: 6\n",
-            f"{SITE}/some_thing-1.0.dist-info/METADATA": "Name: Some_Thing\nVersion: 1.0+cpu\n",
-            "usr/local/share/rosml/constraints.d/01.txt": "torch==2.10.0\n",
-            "usr/local/share/rosml/constraints.d/02.txt": "",
-            "usr/empty": "",
-        },
-    )
-    (tmp_path / "out").mkdir()
-    subprocess.run([sys.executable, CONTENTS, tmp_path / "root", tmp_path / "out"], check=True)
-    packages = json.loads((tmp_path / "out/packages.json").read_text())
-    assert ([it["name"] for it in packages["apt"]], packages["python"]) == (["libc6"], WHEELS)
-    listed = gzip.decompress((tmp_path / "out/files.gz").read_bytes()).decode().splitlines()
-    assert "usr/empty" in listed and len(listed) == 7
-    assert [name[-6:] for name in listed if "constraints.d" in name] == ["01.txt"], "an empty slot is nobody's"
 
 
 def test_what_dpkg_says_in_other_words(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -287,14 +260,6 @@ def test_an_sbom_of_others_is_none_of_ours(server: LocalRegistry) -> None:
         client.attach(ROBOT, entry, MEDIA_TYPE, b"{}", MEDIA_TYPE)
         attachments.attach(client, ROBOT, entry["digest"], load, {})
         assert len(client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)) == 2
-
-
-def test_a_registry_that_takes_no_attachment(server: LocalRegistry) -> None:
-    with Registry(server.address) as client:
-        digest = image(client, "amd64")["digest"]
-        server.faults.append(Fault("PUT", "manifests", 400, body=b"{}"))
-        with pytest.raises(RosmlError):
-            attachments.attach(client, ROBOT, digest, load, {})
 
 
 def test_the_names_of_packages(tmp_path: Path) -> None:
