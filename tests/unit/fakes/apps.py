@@ -90,7 +90,9 @@ class Robot:
         inputs = {"base_image": "ros:jazzy", "command": "true", **inputs}
         return app_inputs.values({name.replace("_", "-"): value for name, value in inputs.items()}, self.folder, {})
 
-    def call(self, environment: Mapping[str, str] | None = None, renew: bool = False, /, **inputs: str) -> step_order.Call:
+    def call(
+        self, environment: Mapping[str, str] | None = None, renew: bool = False, /, **inputs: str
+    ) -> step_order.Call:
         values = self.values(**inputs)
         return step_order.new_call(self.folder, values, environment or {}, self.services, self.messages.append, renew)
 

@@ -146,13 +146,6 @@ def test_no_slim_image_is_made_if_no_base_image_is_found(robot: Robot) -> None:
         robot.build(enable_slim="true", slim_base_image="typo")
 
 
-def test_names_and_tags_are_those_of_docker_ros(robot: Robot) -> None:
-    name = f"{robot.services.registry}/me/robot"
-    robot.build(image_name=name, image_tag="v1", push="true", enable_push_as_latest="true")
-    assert robot.targets[1]["tags"] == [f"{name}:v1", f"{name}:latest"]
-    assert robot.targets[2]["tags"] == [f"{name}:v1-dev", f"{name}:latest-dev"]
-
-
 def test_ros_is_installed_on_a_base_that_has_none(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
     """By the steps of our own images, on it by its digest, and kept as a stage of its own. An image is looked at once."""
     starts = {"WorkingDir": "/opt/sdk", "Entrypoint": ["./start.sh"], "Env": ["LANG=de", "CUDA_VERSION=13.0.1"]}

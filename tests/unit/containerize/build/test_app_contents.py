@@ -17,7 +17,6 @@ from fakes.stubs import script_of_a_build
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.containerize.build import attachments
-from rosml.containerize.packages import workspace
 from rosml.containerize.sources.fetch import Repository
 from rosml.images.join import facts, file_lists
 from rosml.images.scan.sbom import MEDIA_TYPE, Sbom
@@ -191,12 +190,6 @@ def test_what_nobody_knows_is_left_out_and_the_same_name_counts_once() -> None:
     assert [item["bom-ref"] for item in items.values()] == ["debian", "pkg:pypi/some-thing@1", "pkg:generic/ros/a"]
 
 
-def test_the_scan_reads_it() -> None:
-    digest = f"sha256:{'1' * 64}"
-    sbom = Sbom(attachments.sbom(json.dumps(PACKAGES).encode(), f"example.org/robot@{digest}", {}))
-    assert sbom.system == "debian 12" and sbom.is_of(digest) and len(sbom.packages) == 5
-
-
 @pytest.mark.parametrize("data", [b"", b"[]", b'{"apt": []}'])
 def test_a_damaged_list_of_packages(data: bytes) -> None:
     with pytest.raises(RosmlError, match="is damaged"):
@@ -260,18 +253,3 @@ def test_an_sbom_of_others_is_none_of_ours(server: LocalRegistry) -> None:
         client.attach(ROBOT, entry, MEDIA_TYPE, b"{}", MEDIA_TYPE)
         attachments.attach(client, ROBOT, entry["digest"], load, {})
         assert len(client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)) == 2
-
-
-def test_the_names_of_packages(tmp_path: Path) -> None:
-    write(
-        tmp_path,
-        {
-            "a/package.xml": "<package>\n <name> one </name></package>",
-            "b/package.xml": "<package/>",
-            "d/package.xml": "<package><!-- <name>old</name> --><name>new</name></package>",
-            "e/package.xml": "<package>",
-            "c/COLCON_IGNORE": "",
-            "c/package.xml": "<package><name>hidden</name></package>",
-        },
-    )
-    assert [*workspace.names(tmp_path)] == ["one", "new"]

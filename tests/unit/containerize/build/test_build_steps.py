@@ -18,11 +18,9 @@ STEPS = ROOT / "components/containerize"
     ("cores", "memory", "jobs", "packages", "expected"),
     [
         (8, 64_000, "", 20, " |"),  # as colcon does it
-        (8, 16_000, "", 20, " |"),
         (8, 15_900, "", 20, "--parallel-workers 2|-j3"),
         (8, 15_900, "", 1, "--parallel-workers 1|-j7"),
         (64, 64_000, "", 100, "--parallel-workers 5|-j6"),
-        (4, 3_000, "", 20, "--parallel-workers 1|-j1"),
         (4, 900, "", 20, "--parallel-workers 1|-j1"),
         (4, 64_000, "1", 20, "--parallel-workers 1|-j1"),
         (4, 900, "16", 20, "--parallel-workers 4|-j4"),
@@ -34,11 +32,6 @@ def test_compilers_are_as_many_as_memory_has_room_for(
     executable(tmp_path / "nproc", f"echo {cores}")
     text = f"asked_jobs() {{ echo '{jobs}'; }}; memory() {{ echo {memory}; }}\nlimit_jobs {packages}\n"
     assert setup(f'{text}echo "${{workers[*]:- }}|${{MAKEFLAGS:-}}"', tmp_path) == f"{expected}\n"
-
-
-def test_the_memory_of_this_machine(tmp_path: Path) -> None:
-    megabytes = int(setup("memory", tmp_path))
-    assert 0 < megabytes <= os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") >> 20
 
 
 def setup(text: str, tmp_path: Path) -> str:
@@ -110,9 +103,6 @@ NO_PACKAGE = 'CMake {0} at x:3:\n  Could not find a package configuration file p
         ("gmake[2]: *** [CMakeFiles/k.dir/build.make:70: CMakeFiles/k] Error 137", OUT_OF_MEMORY),
         ("c++: fatal error: Killed signal terminated program cc1plus", OUT_OF_MEMORY),
         ("g++: internal compiler error: Killed (program cc1plus)", OUT_OF_MEMORY),
-        ("collect2: fatal error: ld terminated with signal 9 [Killed]", OUT_OF_MEMORY),
-        ("clang: error: unable to execute command: Killed", OUT_OF_MEMORY),
-        ("cc1plus: out of memory allocating 65536 bytes", OUT_OF_MEMORY),
         ("Killed", OUT_OF_MEMORY),
         ("fatal error: error writing to /tmp/a.s: No space left on device", "a package does not build: No space left"),
         (NO_GIT, "error: a package asks git for its version"),

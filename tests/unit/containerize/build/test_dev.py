@@ -109,9 +109,7 @@ def write(name: str, text: str = "x") -> Callable[[Path], None]:
     ("change", "again"),
     [
         (write("src/arm/package.xml", "<package><name>arm</name><depend>tf2</depend></package>"), True),
-        (write("src/leg/package.xml", "<package><name>leg</name></package>"), True),
         (write("docker/additional-debs.txt", "htop\n"), True),
-        (write("deps.repos", "repositories: {}\n"), True),
         (write(".env", "BASE_IMAGE=ros:humble-base\n"), True),
         (write("src/arm/arm.cpp"), False),
         (write(f"{dev_folder.KEPT}/install/arm/package.xml", "<package><name>arm</name></package>"), False),
@@ -250,9 +248,7 @@ def test_a_container_with_an_older_image_is_entered_with_a_warning(place: Place)
     [
         (["colcon", "test"], "a command stands after --: rosml dev -- colcon test"),
         (["htop"], "there is no folder htop"),
-        (["src/arm/package.xml"], "there is no folder"),
         (["--rosdep-index", "lists of mine"], "set its variable: ROSDEP_INDEX='lists of mine' rosml dev"),
-        (["--skip-keys=boost"], "set its variable: SKIP_KEYS=boost rosml dev"),
         (["--skip-keys"], "set its variable: SKIP_KEYS=VALUE rosml dev"),
         (["--no-base-entrypoint"], "set its variable: BASE_ENTRYPOINT=false rosml dev"),
         (["--image-tag", "mine"], "leave it out: rosml dev makes one image for this machine, without an app"),
