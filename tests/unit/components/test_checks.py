@@ -344,29 +344,17 @@ def unpacked(root: Root) -> None:
 
 BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
     "the same library twice": ("cuda_copies.sh", library("libcudart.so.12"), "more than one copy of libcudart: "),
-    "a copy under a name of a wheel's own": (
-        "cuda_copies.sh",
-        library("libcudart-9335f6a2.so.12"),
-        "/opt/somewhere/libcudart-9335f6a2.so.12",
-    ),
+    "a copy under a name of a wheel's own": ("cuda_copies.sh", library("libcudart-9335f6a2.so.12"), "libcudart-9335f6a2"),
     "no CUDA at all": ("cuda_copies.sh", no_cuda, "no CUDA library at all"),
     "another CUDA": ("cuda_runtime.py", variable(EXPECT_CUDA="12.6.1"), "CUDA runtime 12080, expected 12060"),
     "a loader that is helped by a variable": ("cuda_runtime.py", variable(LD_LIBRARY_PATH="/x"), "LD_LIBRARY_PATH"),
     "a loader that is helped by its cache": ("cuda_runtime.py", says("ldconfig", "echo libcudart.so.12"), "ldconfig"),
-    "PyTorch for other GPUs": (
-        "gpus.py torch",
-        variable(EXPECT_GPU_TORCH_AMD64="sm_90"),
-        "torch: ['sm_80', 'sm_90'], expected ['sm_90']",
-    ),
-    "TensorFlow for GPUs that nobody names": (
-        "gpus.py tensorflow",
-        forget("EXPECT_GPU_TENSORFLOW_AMD64"),
-        "tensorflow: ['sm_60', 'compute_90'], expected []",
-    ),
-    "ONNX Runtime without code for an old GPU": (
+    "PyTorch for other GPUs": ("gpus.py torch", variable(EXPECT_GPU_TORCH_AMD64="sm_90"), "expected ['sm_90']"),
+    "TensorFlow for GPUs that nobody names": ("gpus.py tensorflow", forget("EXPECT_GPU_TENSORFLOW_AMD64"), "expected []"),
+    "ONNX Runtime for newer GPUs": (
         "gpus.py onnxruntime",
         lambda root: cuda_provider(root, [("sm", 90), ("compute", 90)]),
-        "onnxruntime: ['sm_90a', 'compute_90'], expected ['sm_80', 'sm_90a', 'compute_90']",
+        "['sm_90a', 'compute_90'], expected",
     ),
     "a driver that nobody asks for": ("gpus.py driver", forget("NVIDIA_REQUIRE_CUDA"), "None, expected cuda>=12.0"),
     "a driver without CUDA": ("gpus.py driver", forget("EXPECT_CUDA"), "cuda>=12.0, expected None"),
@@ -382,44 +370,28 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
     "apt's proxy": ("no_traces.sh", text("etc/apt/apt.conf.d/p", 'Acquire::http::Proxy "http://p";'), "http::Proxy"),
     "a package half installed": ("packages.sh desktop-full", unpacked, "ros-base: unpacked"),
     "a file missing": ("part_files.py", gone(f"{SITE}/torch/7.py"), "torch/7.py is missing"),
-    "a part for another wheel": (
-        "part_files.py",
-        text("usr/local/share/rosml/expected.d/tensorflow-cc", "0" * 64),
-        "tensorflow-cc is not what the parts on top of it were assembled for",
-    ),
+    "a part for another wheel": ("part_files.py", text("usr/local/share/rosml/expected.d/tensorflow-cc", "0" * 64), "tensorflow-cc is not what"),
     "no part on record": ("part_files.py", text(f"{SITE}/torch-2.dist-info/RECORD"), "no part is here"),
     "a package that pip would replace": (
         "pins.py",
-        text(f"{SITE}/nvidia_nccl_cu12-2.27.5.dist-info/METADATA", "Name: nvidia-nccl-cu12\nVersion: 2.27.5\n"),
-        "nvidia-nccl-cu12==2.27.5 is there, and not pinned",
+        text(f"{SITE}/nvidia_nccl_cu12-2.dist-info/METADATA", "Name: nvidia-nccl-cu12\nVersion: 2\n"),
+        "is there, and not pinned",
     ),
-    "a pin of another version": (
-        "pins.py",
-        text("usr/local/share/rosml/constraints.d/01.txt", "torch==2.10.0\n"),
-        "torch==2.10.0 is pinned, and not there",
-    ),
-    "a package that may go where PyTorch does not follow": (
+    "a pin of another version": ("pins.py", text("usr/local/share/rosml/constraints.d/01.txt", "torch==2.10.0\n"), "is pinned, and not there"),
+    "a package that may go too far": (
         "pins.py",
         text("usr/local/share/rosml/constraints.d/01.txt", TORCH_ALONE.replace("!=8.3.*,", "")),
-        "a part asks for pillow!=8.3.*, and nothing holds it to that",
+        "asks for pillow!=8.3.*",
     ),
     "a slot that is missing": ("pins.py", gone("usr/local/share/rosml/constraints.d/02.txt"), "02.txt"),
     "a pip that keeps to something else": (
         "pins.py",
         text("etc/pip.conf", "[install]\nconstraint = /usr/local/share/rosml/constraints.txt\n"),
-        "/etc/pip.conf names ['/usr/local/share/rosml/constraints.txt'], and not ",
+        "/etc/pip.conf names",
     ),
     "a uv that keeps to nothing": ("pins.py", variable(UV_CONSTRAINT=""), "UV_CONSTRAINT names [''], and not "),
-    "a numpy of any ABI": (
-        "pins.py",
-        text("usr/local/share/rosml/constraints.txt", "empy<4\n"),
-        "nothing keeps numpy to what ROS was built with",
-    ),
-    "a requirement of the part": (
-        "pip_check.py",
-        says("pip", "echo 'torch 2.10.0 requires nvidia-cudnn-cu12, which is not installed.'; exit 1"),
-        "1 complaints about part packages",
-    ),
+    "a numpy of any ABI": ("pins.py", text("usr/local/share/rosml/constraints.txt", "empy<4\n"), "nothing keeps numpy"),
+    "a requirement of the part": ("pip_check.py", says("pip", "echo 'torch 2.10.0 requires nvidia-cudnn-cu12.'; exit 1"), "1 complaints about part"),
     "another Python": ("python.sh", says("python3", "echo 3.12"), "Python 3.12, expected 3.11"),
     "what ROS's tools import": ("replaces_nothing.py", text(f"{SITE}/setuptools/x.py"), "never: ['setuptools']"),
     "a module of Debian's": ("replaces_nothing.py", text(f"{SITE}/rospkg.py"), "without a reason: ['rospkg']"),
@@ -442,16 +414,8 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         "ROS_DISTRO was set before",
     ),
     "another wheel": ("ros_wheels.py", variable(EXPECT_WHEELS="ros-jazzy-rclpy==7.2.0"), "ros-jazzy-rclpy 7.1.6, exp"),
-    "a requirement of ROS's": (
-        "ros_wheels.py",
-        says("pip", "echo 'ros-rclpy 7.1.6 requires ros-rcl, which is not installed.'; exit 1"),
-        "complaints about ROS's wheels:\nros-rclpy",
-    ),
-    "rosdep as it comes": (
-        "rosdep.sh",
-        text("etc/ros/rosdep/sources.list.d/20-default.list"),
-        "rosdep is not initialised",
-    ),
+    "a requirement of ROS's": ("ros_wheels.py", says("pip", "echo 'ros-rclpy 7.1.6 requires ros-rcl.'; exit 1"), "complaints about ROS's"),
+    "rosdep as it comes": ("rosdep.sh", text("etc/ros/rosdep/sources.list.d/20-default.list"), "rosdep is not initialised"),
     "a program with root's rights": ("setuid.sh", text("opt/tool", mode=0o4755), "not in setuid.txt:\n4755 /opt/tool"),
     "a name that begins like a known one": ("setuid.sh", text("usr/bin/passwd2", mode=0o4755), "4755 /usr/bin/passwd2"),
     "a compiler": ("runtime.sh", text("usr/bin/g++", ""), "usr/bin/g++"),
@@ -466,17 +430,13 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
     "a colcon that selects nothing": (
         "colcon.sh",
         says("colcon", "[ $3 = list ] || echo --base-paths --metas console_cohesion"),
-        "colcon build has no --packages-select",
+        "no --packages-select",
     ),
-    "a colcon for other shells": (
-        "colcon.sh",
-        lambda root: (root.folder / "modules/colcon_bash.py").unlink(),
-        "No module named 'colcon_bash'",
-    ),
+    "a colcon for other shells": ("colcon.sh", gone("modules/colcon_bash.py"), "colcon_bash"),
     "a tool": ("tools.sh", lambda root: (root.programs / "rosdep").unlink(), "missing: rosdep"),
     "a group": ("tools.sh", says("getent", "exit 2"), "the groups sudo and video are not both there"),
     "root's own shells": ("tools.sh", text("root/.bashrc", "alias ll=ls\n"), "/root/.bashrc sources no ROS"),
-}
+}  # fmt: skip
 """What is broken: the check, how, and what it says."""
 
 

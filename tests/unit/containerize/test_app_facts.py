@@ -138,9 +138,7 @@ LONG = 1 << 20
 PLAIN = {SYMTAB: 1024, STRTAB: 2048, STRSZ: 8}
 SYMBOL = struct.pack("<IBBHQQ", 1, 0x10, 0, 1, 0, 0)
 HOSTILE = {
-    "as many symbols as a number holds": tables(
-        {**PLAIN, HASH: 4096}, x1024=SYMBOL, x4096=struct.pack("<II", 1, 0xFFFFFFFF)
-    ),
+    "as many symbols as a number holds": tables({**PLAIN, HASH: 4096}, x1024=SYMBOL, x4096=struct.pack("<II", 1, 0xFFFFFFFF)),
     "names that are long and shared": tables(
         {SYMTAB: 1 << 20, STRTAB: 2048, STRSZ: 60_000, HASH: 1024},
         x1024=struct.pack("<II", 1, 80_000),
@@ -153,16 +151,8 @@ HOSTILE = {
         x1024=SYMBOL,
         x2048=b"x" * 9,
     ),
-    "a hash table without an end": tables(
-        {**PLAIN, GNU_HASH: 4096},
-        x1024=SYMBOL,
-        x4096=struct.pack("<IIIIQI", 1, 1, 1, 0, 0, 1) + bytes(LONG),
-    ),
-    "a hash table of all memory": tables(
-        {**PLAIN, GNU_HASH: 4096},
-        x1024=SYMBOL,
-        x4096=struct.pack("<IIII", 0xFFFFFFFF, 1, 0xFFFFFFFF, 0),
-    ),
+    "a hash table without an end": tables({**PLAIN, GNU_HASH: 4096}, x1024=SYMBOL, x4096=struct.pack("<IIIIQI", 1, 1, 1, 0, 0, 1) + bytes(LONG)),
+    "a hash table of all memory": tables({**PLAIN, GNU_HASH: 4096}, x1024=SYMBOL, x4096=struct.pack("<IIII", 0xFFFFFFFF, 1, 0xFFFFFFFF, 0)),
     "versions that stand in each other": tables(
         {SYMTAB: 1024, STRTAB: 2048, STRSZ: 32, HASH: 1536, VERSYM: 1600, VERNEED: 4096, VERNEEDNUM: 1 << 40},
         x1024=SYMBOL * 2,
@@ -170,7 +160,7 @@ HOSTILE = {
         # Each of these is a library that expects 28,672 versions, and one of the versions that those before it expect.
         x4096=struct.pack("<HHIII", 1, 0x7000, 2 << 16, 16, 16) * (1 << 16),
     ),
-}
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", HOSTILE)

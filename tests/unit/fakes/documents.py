@@ -268,14 +268,8 @@ VULNERABILITY |= {"Severity": "HIGH", "Title": "bad", "PrimaryURL": "https://exa
 REPORT = {
     "SchemaVersion": 2,
     "Metadata": {"OS": {"Family": "debian", "Name": "12.12", "EOSL": True}},
-    "Results": [
-        {
-            "Type": "debian",
-            "Packages": [{"Name": "tree"}],
-            "Vulnerabilities": [VULNERABILITY],
-        }
-    ],
-}
+    "Results": [{"Type": "debian", "Packages": [{"Name": "tree"}], "Vulnerabilities": [VULNERABILITY]}],
+}  # fmt: skip
 
 INFO = {"ServerVersion": "27", "SecurityOptions": ["name=seccomp"], "Runtimes": {"runc": {}}}
 INFO |= {"CDISpecDirs": ["/etc/cdi"], "Name": "robot"}

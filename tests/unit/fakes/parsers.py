@@ -687,11 +687,7 @@ def sources_of(document: bytes, folder: Path) -> object:
 
 PARSERS: dict[str, Parser] = {
     ".env": Parser("text", [documents.ENV], written(".env", env_file.read)),
-    ".repos": Parser(
-        "yaml",
-        [documents.REPOS],
-        written("a.repos", lambda file: repos_file.read([file], file.parent, "", local=False)),
-    ),
+    ".repos": Parser("yaml", [documents.REPOS], written("a.repos", lambda file: repos_file.read([file], file.parent, "", local=False))),
     ".rosml.toml": Parser("text", [documents.DEFAULTS], defaults_of),
     "allowed.json": Parser(
         "json",
@@ -705,25 +701,13 @@ PARSERS: dict[str, Parser] = {
         as_json([{"directory": "/b", "file": "/a.cpp", "command": "c++ -c /a.cpp"}]),
         written("build/compile_commands.json", commands_of_compilers),
     ),
-    "apt's list of sources": Parser(
-        "text", [documents.LINES], text(lambda content: apt_sources.parse({"a.list": content}, "base"))
-    ),
-    "apt's paragraphs of sources": Parser(
-        "text", [documents.STANZAS], text(lambda content: apt_sources.parse({"a.sources": content}, "base"))
-    ),
+    "apt's list of sources": Parser("text", [documents.LINES], text(lambda content: apt_sources.parse({"a.list": content}, "base"))),
+    "apt's paragraphs of sources": Parser("text", [documents.STANZAS], text(lambda content: apt_sources.parse({"a.sources": content}, "base"))),
     "apt's sources in a layer": Parser("tar", [tar_of(("etc/apt/sources.list", documents.LINES))], layer_of),
-    "date of a Release file": Parser(
-        "text", [documents.RELEASE], text(lambda content: sync.date_of(content, "http://ros.test"))
-    ),
-    "Release file": Parser(
-        "text",
-        [documents.RELEASE],
-        text(lambda content: package_state.described(SOURCE, content, "http://archive.test")),
-    ),
+    "date of a Release file": Parser("text", [documents.RELEASE], text(lambda content: sync.date_of(content, "http://ros.test"))),
+    "Release file": Parser("text", [documents.RELEASE], text(lambda content: package_state.described(SOURCE, content, "http://archive.test"))),
     "dpkg's status": Parser("text", [documents.STATUS], dpkg_of),
-    "package.xml": Parser(
-        "xml", [documents.MANIFEST], written("a/package.xml", lambda file: [*workspace.names(file.parent)])
-    ),
+    "package.xml": Parser("xml", [documents.MANIFEST], written("a/package.xml", lambda file: [*workspace.names(file.parent)])),
     "package.xml for init": Parser(
         "xml",
         [documents.MANIFEST],
@@ -738,45 +722,25 @@ PARSERS: dict[str, Parser] = {
     "what steps of a build say": Parser("json", as_json(documents.APP), app_report_of),
     "archive of a build": Parser("tar", [tar_of(("results/a/b.xml", documents.SUITE.encode()))], results_of_tests),
     "images of a job": Parser("json", as_json([documents.JOB]), job_of),
-    "packages of an image": Parser(
-        "json", as_json(documents.PACKAGES), lambda document, folder: contents.sbom(document, "a", {})
-    ),
-    "package.xml in an image": Parser(
-        "xml", [documents.MANIFEST], contents_of("docker-ros/ws/install/share/a/package.xml")
-    ),
-    "METADATA in an image": Parser(
-        "text", [b"Name: a\nVersion: 1\n\nx"], contents_of("usr/lib/python3/a-1.dist-info/METADATA")
-    ),
+    "packages of an image": Parser("json", as_json(documents.PACKAGES), lambda document, folder: contents.sbom(document, "a", {})),
+    "package.xml in an image": Parser("xml", [documents.MANIFEST], contents_of("docker-ros/ws/install/share/a/package.xml")),
+    "METADATA in an image": Parser("text", [b"Name: a\nVersion: 1\n\nx"], contents_of("usr/lib/python3/a-1.dist-info/METADATA")),
     "packages of apt in an image": Parser("text", [documents.STATUS], contents_of("var/lib/dpkg/status.d/a")),
     "os-release in an image": Parser("text", [b'ID=debian\nVERSION_ID="12"\n'], contents_of("usr/lib/os-release")),
-    "relations of a package": Parser(
-        "text", [documents.STATUS], text(lambda content: script("facts").package(content))
-    ),
+    "relations of a package": Parser("text", [documents.STATUS], text(lambda content: script("facts").package(content))),
     "program in an image": Parser("text", [Path("/bin/true").read_bytes()], elf_of),
-    "facts of an image": Parser(
-        "json", as_json(documents.FACTS), lambda document, folder: facts.parse(gzip.compress(document))
-    ),
+    "facts of an image": Parser("json", as_json(documents.FACTS), lambda document, folder: facts.parse(gzip.compress(document))),
     "apps that move": Parser("yaml", [documents.FLEET], written("apps.yaml", fleet.read)),
-    "lines of a trial": Parser(
-        "json", [b'"lib/a: undefined symbol: b"\n"import c: d"\n'], lambda document, _: trial.lines(document)
-    ),
-    "report of pip": Parser(
-        "json", as_json(documents.PIP), lambda document, _: script("pip_install").requirements(document)
-    ),
+    "lines of a trial": Parser("json", [b'"lib/a: undefined symbol: b"\n"import c: d"\n'], lambda document, _: trial.lines(document)),
+    "report of pip": Parser("json", as_json(documents.PIP), lambda document, _: script("pip_install").requirements(document)),
     "options in a list of pip": Parser(
         "text", [b"--index-url 'https://index.test/x'  # x\n-r b.txt\ntree==1.0\n"], written("a.txt", options_of)
     ),
-    "lock file": Parser(
-        "json", [documents.LOCK.text().encode()], written("a.lock", lambda file: lock.read(file, file.parent))
-    ),
-    "folder of upstream sources": Parser(
-        "json", as_json({"a": ["https://example.org/a", "c" * 40]}), written(".up.json", upstream)
-    ),
+    "lock file": Parser("json", [documents.LOCK.text().encode()], written("a.lock", lambda file: lock.read(file, file.parent))),
+    "folder of upstream sources": Parser("json", as_json({"a": ["https://example.org/a", "c" * 40]}), written(".up.json", upstream)),
     "rosdep's index": Parser("yaml", [documents.INDEX], lambda document, folder: rosdep_lists(folder, index=document)),
     "rosdep's list": Parser("yaml", [documents.KEYS], lambda document, folder: rosdep_lists(folder, keys=document)),
-    "rosdep's lists of a registry": Parser(
-        "tar", [tar_of(("rosdep/base.yaml", documents.KEYS), ("index-v4.yaml", documents.INDEX))], unpacked
-    ),
+    "rosdep's lists of a registry": Parser("tar", [tar_of(("rosdep/base.yaml", documents.KEYS), ("index-v4.yaml", documents.INDEX))], unpacked),
     "archive of an image": Parser("tar", [archived()], image_of),
     "patch of a layer": Parser("text", [PATCH], lambda document, folder: with_patch(document)),
     "plan of a patch": Parser(
@@ -784,20 +748,14 @@ PARSERS: dict[str, Parser] = {
         [archives.zstd.decompress(PATCH_PLAN)],
         lambda document, folder: with_patch(b"".join((archives.zstd.compress(document), *FRAMES))),
     ),
-    "patches in an archive": Parser(
-        "json", [patches_of(PATCH)], lambda document, folder: with_patch(PATCH, document or b"x")
-    ),
+    "patches in an archive": Parser("json", [patches_of(PATCH)], lambda document, folder: with_patch(PATCH, document or b"x")),
     "index in an archive": Parser(
         "json",
         [archive.index(documents.SAVED_MANIFEST, "registry.test/b:1", {"a": [oci.digest_of(b"")]})],
         lambda document, folder: image_of(archived(document), folder),
     ),
-    "manifest in an archive": Parser(
-        "json", [documents.SAVED_CONTENT], lambda document, folder: image_of(archived(manifest=document), folder)
-    ),
-    "config in an archive": Parser(
-        "json", [documents.SAVED], lambda document, folder: image_of(archived(config=document), folder)
-    ),
+    "manifest in an archive": Parser("json", [documents.SAVED_CONTENT], lambda document, folder: image_of(archived(manifest=document), folder)),
+    "config in an archive": Parser("json", [documents.SAVED], lambda document, folder: image_of(archived(config=document), folder)),
     "record": Parser("json", as_json(documents.ENTRY), entry_of),
     "record of rosml dev": Parser(
         "json",
@@ -817,9 +775,7 @@ PARSERS: dict[str, Parser] = {
     ),
     "SBOM": Parser("json", as_json(documents.SBOM), sbom_of),
     "report of trivy": Parser("json", as_json(documents.REPORT), report_of),
-    "database of trivy": Parser(
-        "json", as_json({"Version": 2, "UpdatedAt": "2026-11-22T00:00:00.123Z", "NextUpdate": "x"}), database_of
-    ),
+    "database of trivy": Parser("json", as_json({"Version": 2, "UpdatedAt": "2026-11-22T00:00:00.123Z", "NextUpdate": "x"}), database_of),
     "info of an engine": Parser(
         "json",
         as_json(documents.INFO, {"host": {"security": {"rootless": True}, "hostname": "a"}}),
@@ -830,9 +786,7 @@ PARSERS: dict[str, Parser] = {
         as_json(documents.IMAGE, [documents.IMAGE]),
         answered("image", lambda command: engine.image(command, "a")),
     ),
-    "container of an engine": Parser(
-        "text", [documents.CONTAINER], answered("container", lambda command: engine.container(command, "a"))
-    ),
+    "container of an engine": Parser("text", [documents.CONTAINER], answered("container", lambda command: engine.container(command, "a"))),
     "words of run": Parser("text", [documents.WORDS], words_of),
     "files of run": Parser("text", [b"2147483647\n", b"0x1003\n", b"ROS_DOMAIN_ID=7\nA=b\n"], kernel_of),
     "results of structure tests": Parser(
@@ -853,17 +807,13 @@ PARSERS: dict[str, Parser] = {
     "results of a scan": Parser("json", as_json(documents.RESULTS), written("results.json", results_of)),
     "plan": Parser("json", as_json(documents.PLAN), written("plan.json", plan.read_plan)),
     "matrix": Parser("yaml", [SMALL.encode()], lambda document, folder: load.image_set(source.parse(document))),
-    "scan policy": Parser(
-        "yaml", [(ROOT / "scan.yaml").read_bytes()], lambda document, folder: policy.parsed(source.parse(document))
-    ),
+    "scan policy": Parser("yaml", [(ROOT / "scan.yaml").read_bytes()], lambda document, folder: policy.parsed(source.parse(document))),
     ".dockerignore": Parser(
         "text",
         [b"# x\n*.log\n!a/**/b?.log\nbuild/\n[a-c]\\*\n"],
         written(".dockerignore", lambda file: IgnoredFiles(file.parent)(file.parent / "a/b/c.log")),
     ),
-    ".gitmodules": Parser(
-        "text", [documents.MODULES], written(".gitmodules", lambda file: workspace.empty_submodules(file.parent))
-    ),
+    ".gitmodules": Parser("text", [documents.MODULES], written(".gitmodules", lambda file: workspace.empty_submodules(file.parent))),
     "submodules of a repository": Parser("text", [documents.SETTINGS], submodules_of),
     "refs of a repository": Parser("text", [documents.REFS], text(refs_of)),
     "repository for init": Parser(
@@ -876,24 +826,12 @@ PARSERS: dict[str, Parser] = {
     "launch file": Parser("xml", [documents.LAUNCH], installed("share/a/launch/b.launch")),
     "launch file in Python": Parser("text", [documents.LAUNCH_IN_PYTHON], installed("share/a/launch/b.launch.py")),
     "script of an app": Parser("text", [documents.LAUNCH_IN_PYTHON], installed("lib/a/b")),
-    "entry points of an app": Parser(
-        "text", [documents.ENTRY_POINTS], installed("lib/python3.12/site-packages/a-1.dist-info/entry_points.txt")
-    ),
-    "manifest of a registry": Parser(
-        "json", [documents.SAVED_CONTENT], sent(lambda registry: registry.manifest("a", "x"))
-    ),
-    "index of a registry": Parser(
-        "json", as_json(documents.LISTED), sent(lambda registry: registry.manifest("a", "x"))
-    ),
-    "tags of a registry": Parser(
-        "json", as_json({"name": "a", "tags": ["b", "c"]}), sent(lambda registry: registry.tags("a"))
-    ),
-    "artifacts of a registry": Parser(
-        "json", as_json(documents.LISTED), sent(lambda registry: registry.referrers("a", documents.DIGEST))
-    ),
-    "error of a registry": Parser(
-        "json", as_json({"errors": [{"code": "DENIED", "message": "no", "detail": {"a": 1}}]}), error_of
-    ),
+    "entry points of an app": Parser("text", [documents.ENTRY_POINTS], installed("lib/python3.12/site-packages/a-1.dist-info/entry_points.txt")),
+    "manifest of a registry": Parser("json", [documents.SAVED_CONTENT], sent(lambda registry: registry.manifest("a", "x"))),
+    "index of a registry": Parser("json", as_json(documents.LISTED), sent(lambda registry: registry.manifest("a", "x"))),
+    "tags of a registry": Parser("json", as_json({"name": "a", "tags": ["b", "c"]}), sent(lambda registry: registry.tags("a"))),
+    "artifacts of a registry": Parser("json", as_json(documents.LISTED), sent(lambda registry: registry.referrers("a", documents.DIGEST))),
+    "error of a registry": Parser("json", as_json({"errors": [{"code": "DENIED", "message": "no", "detail": {"a": 1}}]}), error_of),
     "token of a registry": Parser("json", as_json({"token": "a", "access_token": "b", "expires_in": 300}), token_of),
     "headers of a registry": Parser("text", documents.HEADERS, headers_of),
     "docker's config.json": Parser(
@@ -916,9 +854,7 @@ PARSERS: dict[str, Parser] = {
     "compose file": Parser("yaml", [documents.COMPOSE], text(composed)),
     "cookies of a display": Parser("text", [COOKIES], cookies_of),
     "progress of buildx": Parser("text", [documents.STEPS], progress_of),
-    "base image of a command": Parser(
-        "json", as_json({"reference": f"a@{documents.DIGEST}", "missing": ""}), base_of_command
-    ),
+    "base image of a command": Parser("json", as_json({"reference": f"a@{documents.DIGEST}", "missing": ""}), base_of_command),
     "files of a base image": Parser("text", [documents.SYSTEM], text(adopted_of)),
     "issues of GitHub": Parser("json", as_json(documents.ISSUES), github_of),
     "wheel of an index": Parser("text", [zip_of(METADATA=b"Name: a\n", RECORD=b"a.py,sha256=x,1\n")], wheel_of),
@@ -928,10 +864,8 @@ PARSERS: dict[str, Parser] = {
         lambda document, _: wheel_of(zip_of(METADATA=b"", RECORD=document), _),
     ),
     "wheels that uv found": Parser("text", [documents.PYLOCK], pylock_of),
-    "pins of a lock": Parser(
-        "text", [documents.PINS], text(lambda content: (resolve.parse(content), lock_file.versions(content)))
-    ),
+    "pins of a lock": Parser("text", [documents.PINS], text(lambda content: (resolve.parse(content), lock_file.versions(content)))),
     "label of a part": Parser("text", [b"torch=cuda*,common tensorflow=cuda*"], text(labels_of)),
     "JSON": Parser("json", as_json(documents.PLAN), lambda document, folder: untrusted.json_of(document, "a")),
     "YAML": Parser("yaml", [documents.KEYS], lambda document, folder: untrusted.yaml_of(document, "a")),
-}
+}  # fmt: skip
