@@ -9,7 +9,6 @@ import base64
 import hashlib
 import importlib.metadata
 import os
-import runpy
 import shutil
 import subprocess
 import sys
@@ -27,7 +26,7 @@ SCOPE = "_ZNK10tensorflow5Scope10WithDeviceERKNSt7__cxx1112basic_stringIcSt11cha
 SESSION = "_ZN10tensorflow13ClientSessionC1ERKNS_5ScopeE@@tensorflow"
 
 
-OWN_SESSION = ("ClientSession(tensorflow::Scope const&)", "Run(std::vector<int>*) const")
+SESSION_FUNCTIONS = ("ClientSession(tensorflow::Scope const&)", "Run(std::vector<int>*) const")
 """What the local replacement for the compiler makes of client_session.cc."""
 
 SESSION_HEADER = """\
@@ -54,20 +53,15 @@ def assemble(root: Path, part: str, *symbols: str) -> None:
     """Runs a part's files.sh with a compiler that makes empty files and a library that exports these symbols."""
     programs = root / "programs"
     programs.mkdir()
-    own = "".join(f"echo '0 T tensorflow::ClientSession::{name}'\n" for name in OWN_SESSION)
+    session = "".join(f"echo '0 T tensorflow::ClientSession::{name}'\n" for name in SESSION_FUNCTIONS)
     listed = "".join(f"echo '0 T {symbol}'\n" for symbol in symbols)
-    executable(programs / f"{TRIPLET}-nm", f"case $* in *--demangle*)\n{own};; *) :\n{listed};; esac")
+    executable(programs / f"{TRIPLET}-nm", f"case $* in *--demangle*)\n{session};; *) :\n{listed};; esac")
     executable(programs / f"{TRIPLET}-strip", ":")
     reads = 'for last; do :; done; case " $* " in *" -M "*) echo "x.o: $last tsl/platform/ctstring.h"; exit;; esac\n'
     executable(programs / f"{TRIPLET}-g++", reads + 'while [ "$1" != -o ]; do shift; done; : >"$2"')
     (root / "usr/lib" / TRIPLET).mkdir(parents=True)
-    environment = {
-        "PATH": f"{programs}:{os.environ['PATH']}",
-        "OUT": str(root),
-        "SITE": f"/{SITE}",
-        "TRIPLET": TRIPLET,
-        "ACCELERATOR": "cpu",
-    }
+    environment = {"PATH": f"{programs}:{os.environ['PATH']}", "OUT": str(root), "SITE": f"/{SITE}"}
+    environment |= {"TRIPLET": TRIPLET, "ACCELERATOR": "cpu"}
     subprocess.run([ROOT / f"components/{part}/files.sh"], env=environment, check=True)
     # Links lead to places in the image.
     for link in [*(root / "usr/lib" / TRIPLET).iterdir(), *(root / SITE / "tensorflow").glob("*")]:
@@ -159,7 +153,7 @@ def configure(folder: Path, root: Path, text: str, *arguments: str) -> subproces
     return subprocess.run(command, capture_output=True, text=True, check=False)
 
 
-def found(done: subprocess.CompletedProcess[str]) -> list[str]:
+def statuses(done: subprocess.CompletedProcess[str]) -> list[str]:
     """What the project reported with message(STATUS "= ...")."""
     assert done.returncode == 0, done.stderr
     return [line.removeprefix("-- = ") for line in done.stdout.splitlines() if line.startswith("-- = ")]
@@ -167,6 +161,7 @@ def found(done: subprocess.CompletedProcess[str]) -> list[str]:
 
 # ---- Scopes and repeated calls ---------------------------------------------------------------------------------------
 
+FIXTURES = {"Torch": "torch", "TensorFlow": "newer"}
 REPORT = {
     "Torch": "${TORCH_FOUND} ${Torch_VERSION} ${TORCH_LIBRARIES} ${TORCH_CXX_FLAGS} ${TORCH_INCLUDE_DIRS}",
     "TensorFlow": "${TensorFlow_FOUND} ${TensorFlow_VERSION} ${TensorFlow_LIBRARIES} ${TensorFlow_CXX_FLAGS} "
@@ -178,22 +173,22 @@ REPORT = {
 def test_variables_are_there_in_every_scope_and_after_every_call(
     package: str, tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:
-    root: Path = request.getfixturevalue({"Torch": "torch", "TensorFlow": "newer"}[package])
+    root: Path = request.getfixturevalue(FIXTURES[package])
     call = f'find_package({package} REQUIRED)\nmessage(STATUS "= {REPORT[package]}")\n'
     text = (
         f"function(in_a_function)\n{call}endfunction()\nin_a_function()\n{call}{call}"
         f"foreach(name a b)\n  file(WRITE ${{CMAKE_SOURCE_DIR}}/${{name}}/CMakeLists.txt [=[{call}]=])\n"
         "  add_subdirectory(${name})\nendforeach()"
     )
-    lines = found(configure(tmp_path, root, text))
+    lines = statuses(configure(tmp_path, root, text))
     assert len(lines) == 5
     assert len(set(lines)) == 1
-    wanted = {
+    values = {
         "Torch": f"TRUE 2.10.0 torch;torch_library -D_GLIBCXX_USE_CXX11_ABI=1 {root / SITE}/torch/include;",
         "TensorFlow": "1 2.20.0 TensorFlow::tensorflow_cc;TensorFlow::tensorflow_framework "
         f"-D_GLIBCXX_USE_CXX11_ABI=1 -DEIGEN_MAX_ALIGN_BYTES=64 {root / SITE}/tensorflow/include",
     }
-    assert lines[0].startswith(wanted[package])
+    assert lines[0].startswith(values[package])
 
 
 LINKED = {"Torch": "torch_library", "TensorFlow": "TensorFlow::tensorflow_cc"}
@@ -202,14 +197,14 @@ LINKED = {"Torch": "torch_library", "TensorFlow": "TensorFlow::tensorflow_cc"}
 @pytest.mark.parametrize("package", LINKED)
 def test_the_standard_comes_with_the_target(package: str, tmp_path: Path, request: pytest.FixtureRequest) -> None:
     """C++17, whatever the compiler does by itself and the project asks for; a project without C++ has none to ask for."""
-    root: Path = request.getfixturevalue({"Torch": "torch", "TensorFlow": "newer"}[package])
+    root: Path = request.getfixturevalue(FIXTURES[package])
     text = (
         "set(CMAKE_CXX_COMPILER_LOADED 1)\n"
         f"find_package({package} REQUIRED)\n"
         f"get_target_property(features {LINKED[package]} INTERFACE_COMPILE_FEATURES)\n"
         'message(STATUS "= ${features}")'
     )
-    assert found(configure(tmp_path, root, text)) == ["cxx_std_17"]
+    assert statuses(configure(tmp_path, root, text)) == ["cxx_std_17"]
 
 
 def test_headers_that_want_newer_c_plus_plus_say_so(tmp_path: Path, torch: Path) -> None:
@@ -217,11 +212,11 @@ def test_headers_that_want_newer_c_plus_plus_say_so(tmp_path: Path, torch: Path)
     pkgconfig = torch / "usr/local/lib/pkgconfig/torch.pc"
     assert "-std=" not in pkgconfig.read_text()
     (torch / SITE / f"{ALL}.h").write_text("#if !defined(_MSC_VER) && __cplusplus < 202002L\n")
-    for made in ("programs", "usr/lib", "usr/local/lib/cmake", "usr/local/lib/pkgconfig"):
-        shutil.rmtree(torch / made)
+    for folder in ("programs", "usr/lib", "usr/local/lib/cmake", "usr/local/lib/pkgconfig"):
+        shutil.rmtree(torch / folder)
     assemble(torch, "torch")
     text = 'find_package(Torch REQUIRED)\nget_target_property(features torch_library INTERFACE_COMPILE_FEATURES)\nmessage(STATUS "= ${features}")'
-    assert found(configure(tmp_path, torch, text)) == ["cxx_std_20"]
+    assert statuses(configure(tmp_path, torch, text)) == ["cxx_std_20"]
     assert "C++20" in pkgconfig.read_text() and "\nCflags: -std=c++20 -isystem " in pkgconfig.read_text()
 
 
@@ -229,24 +224,17 @@ def test_headers_that_want_newer_c_plus_plus_say_so(tmp_path: Path, torch: Path)
 
 REQUESTS = {
     "": True,
-    "2": True,
     "2.4": True,
     "2.10": True,
     "2.10.0 EXACT": True,
-    "2.10 EXACT": True,
     "2.4 EXACT": False,
     "2.10.1": False,
-    "2.99": False,
     "1.13": False,
     "1": False,
-    "3": False,
-    "20": False,
     "2.4...<3": True,
     "2.4...2.10": True,
     "1.13...3": True,
-    "2...<2.10": False,
     "2.11...<3": False,
-    "1...<2": False,
 }
 """What is asked of a package of version 2.10.0, and whether that version will do."""
 
@@ -261,14 +249,14 @@ def requests(package: str) -> str:
 
 def test_versions_of_torch(tmp_path: Path, torch: Path) -> None:
     """As the wheel's own package: programs for an older major version are content with a newer one."""
-    lines = found(configure(tmp_path, torch, requests("Torch")))
-    wanted = {**REQUESTS, "1.13": True, "1": True}
-    assert [line.endswith((": 1", ": TRUE")) for line in lines] == list(wanted.values()), lines
+    lines = statuses(configure(tmp_path, torch, requests("Torch")))
+    fits = {**REQUESTS, "1.13": True, "1": True}
+    assert [line.endswith((": 1", ": TRUE")) for line in lines] == list(fits.values()), lines
 
 
 def test_versions_of_tensorflow(tmp_path: Path) -> None:
     root = tensorflow(tmp_path, "2.10.0")
-    lines = found(configure(tmp_path, root, requests("TensorFlow")))
+    lines = statuses(configure(tmp_path, root, requests("TensorFlow")))
     assert [line.endswith((": 1", ": TRUE")) for line in lines] == list(REQUESTS.values()), lines
 
 
@@ -276,20 +264,20 @@ def test_versions_of_tensorflow(tmp_path: Path) -> None:
 
 
 def test_the_path_that_torch_tells_leads_to_the_package_without_a_toolkit(tmp_path: Path, torch: Path) -> None:
-    told = f"-DCMAKE_PREFIX_PATH={torch / SITE / 'torch/share/cmake'}"
+    prefix = f"-DCMAKE_PREFIX_PATH={torch / SITE / 'torch/share/cmake'}"
     text = 'find_package(Torch 2.4...<3 REQUIRED)\nmessage(STATUS "= ${TORCH_INSTALL_PREFIX} ${Torch_DIR}")'
-    (line,) = found(configure(tmp_path, torch, text, told))
+    (line,) = statuses(configure(tmp_path, torch, text, prefix))
     assert line == f"{torch / SITE}/torch {torch / SITE}/torch/share/cmake/Torch"
-    failed = configure(tmp_path, torch, "find_package(Torch 3 REQUIRED)", told)
+    failed = configure(tmp_path, torch, "find_package(Torch 3 REQUIRED)", prefix)
     assert "version: 2.10.0" in failed.stderr
 
 
 def test_the_compiler_is_told_what_the_wheels_own_package_tells_it(tmp_path: Path, torch: Path) -> None:
     text = (
-        "find_package(Torch REQUIRED)\nget_target_property(told torch_library INTERFACE_COMPILE_DEFINITIONS)\n"
-        'message(STATUS "= ${told}")'
+        "find_package(Torch REQUIRED)\nget_target_property(definitions torch_library INTERFACE_COMPILE_DEFINITIONS)\n"
+        'message(STATUS "= ${definitions}")'
     )
-    assert found(configure(tmp_path, torch, text)) == ["_GLIBCXX_USE_CXX11_ABI=1;USE_A;USE_RPC"]
+    assert statuses(configure(tmp_path, torch, text)) == ["_GLIBCXX_USE_CXX11_ABI=1;USE_A;USE_RPC"]
     flags = (torch / "usr/local/lib/pkgconfig/torch.pc").read_text()
     assert " -D_GLIBCXX_USE_CXX11_ABI=1 -DUSE_A -DUSE_RPC\n" in flags
 
@@ -307,7 +295,7 @@ def test_tensorflow_under_the_names_of_other_builds(tmp_path: Path, newer: Path,
     )
     libraries = "TensorFlow::tensorflow_cc;TensorFlow::tensorflow_framework"
     include = newer / SITE / "tensorflow/include"
-    assert found(configure(tmp_path, newer, text)) == [
+    assert statuses(configure(tmp_path, newer, text)) == [
         f"TensorFlow::tensorflow_cc 2.20.0 {include} {libraries}",
         f"{include} {libraries} TRUE",
     ]
@@ -315,8 +303,8 @@ def test_tensorflow_under_the_names_of_other_builds(tmp_path: Path, newer: Path,
 
 def test_the_c_api_is_on_the_default_path_and_all_headers_in_a_folder_of_their_own(newer: Path) -> None:
     include = newer / "usr/local/include"
-    there = {str(path.relative_to(include)) for path in include.rglob("*") if path.is_symlink()}
-    assert there == {C_API, "tsl/platform/ctstring.h", "tensorflow/tensorflow", "google/tensorflow"}
+    links = {str(path.relative_to(include)) for path in include.rglob("*") if path.is_symlink()}
+    assert links == {C_API, "tsl/platform/ctstring.h", "tensorflow/tensorflow", "google/tensorflow"}
     assert os.readlink(include / C_API) == f"/{SITE}/tensorflow/include/{C_API}"
     libraries = newer / "usr/lib" / TRIPLET
     assert "libtensorflow_cc.so.2 AS_NEEDED( " in (libraries / "libtensorflow.so").read_text()
@@ -331,11 +319,9 @@ def test_a_wheel_without_the_c_api_is_an_error(tmp_path: Path) -> None:
 def test_what_depends_on_tensorflow_finds_it_under_its_other_name(newer: Path) -> None:
     """tensorflow-cpu is a package of another name: pip would download TensorFlow again."""
     site = str(newer / SITE)
-    (found,) = importlib.metadata.distributions(name="tensorflow", path=[site])
-    assert found.version == "2.20.0"
-    assert found.requires == ["tensorflow_cpu==2.20.0"]
-    assert found.files
-    assert all(Path(str(file.locate())).exists() for file in found.files)
+    (package,) = importlib.metadata.distributions(name="tensorflow", path=[site])
+    assert (package.version, package.requires) == ("2.20.0", ["tensorflow_cpu==2.20.0"])
+    assert package.files and all(Path(str(file.locate())).exists() for file in package.files)
 
 
 def test_a_release_that_brings_that_package_itself(tmp_path: Path) -> None:
@@ -364,7 +350,7 @@ def test_a_client_session_is_built_where_the_wheel_has_none(tmp_path: Path, newe
         "get_target_property(links TensorFlow::tensorflow_cc INTERFACE_LINK_LIBRARIES)\n"
         'message(STATUS "= ${links}")'
     )
-    (line,) = found(configure(tmp_path, newer, text))
+    (line,) = statuses(configure(tmp_path, newer, text))
     assert line.endswith(",--pop-state;TensorFlow::tensorflow_framework;TensorFlow::tensorflow_client_session")
 
 
@@ -375,45 +361,7 @@ def test_a_newer_header_with_a_function_that_we_do_not_define(
     newer = SESSION_HEADER.replace("};", "  absl::Status Close();\n  absl::Status Run() const;\n};")
     with pytest.raises(subprocess.CalledProcessError):
         tensorflow(tmp_path, "2.20.0", header=newer)
-    said = capfd.readouterr().err
-    assert "client_session.cc does not define: Close (1 declared, 0 defined), Run (2 declared, 1 defined)" in said
-
-
-HEADERS = {
-    "as it is": (SESSION_HEADER, {"ClientSession": 1, "Run": 1}),
-    "a macro before the name, comments, types": (
-        """\
-class TF_EXPORT ClientSession {  // Run()
- public:
-  typedef std::map<int, Run(int)> Feeds;
-  using Other = Run(*)(int);
-  class Options;
-  /* Stop(); */
-  ~ClientSession();
-  ClientSession(const ClientSession&) = delete;
-  int size() const { return size_(); }
-  Status Run(const thread::Options& options =
-                 thread::Options(1)) const;
-  static bool Has(Options = {});
-
- private:
-  class Impl;
-  Impl* impl() { return impl_.get(); }
-  void Hidden();
- public:
-  void Close();
-};
-""",
-        {"~ClientSession": 1, "Run": 1, "Has": 1, "Close": 1},
-    ),
-}
-
-
-@pytest.mark.parametrize("name", HEADERS)
-def test_what_a_header_declares(name: str) -> None:
-    header, wanted = HEADERS[name]
-    declared = runpy.run_path(str(ROOT / "components/tensorflow/client_session/complete.py"))["declared"]
-    assert dict(declared(header)) == wanted
+    assert "Close (1 declared, 0 defined), Run (2 declared, 1 defined)" in capfd.readouterr().err
 
 
 def test_nothing_is_built_where_the_wheel_has_one(tmp_path: Path) -> None:
@@ -426,7 +374,7 @@ def test_nothing_is_built_where_the_wheel_has_one(tmp_path: Path) -> None:
         'if(TARGET TensorFlow::tensorflow_client_session)\n  message(FATAL_ERROR "not wanted")\nendif()\n'
         'message(STATUS "= ${TensorFlow_CXX_FLAGS}")'
     )
-    assert found(configure(tmp_path, root, text)) == ["-D_GLIBCXX_USE_CXX11_ABI=1 -DEIGEN_MAX_ALIGN_BYTES=64"]
+    assert statuses(configure(tmp_path, root, text)) == ["-D_GLIBCXX_USE_CXX11_ABI=1 -DEIGEN_MAX_ALIGN_BYTES=64"]
 
 
 # ---- Wheels that are gone --------------------------------------------------------------------------------------------
@@ -451,10 +399,10 @@ def replaced(site: Path) -> None:
 def test_a_wheel_that_is_gone_is_said_to_be(
     package: str, change: Callable[[Path], None], tmp_path: Path, request: pytest.FixtureRequest
 ) -> None:
-    root: Path = request.getfixturevalue({"Torch": "torch", "TensorFlow": "newer"}[package])
+    root: Path = request.getfixturevalue(FIXTURES[package])
     change(root / SITE)
     text = f'find_package({package} QUIET)\nmessage(STATUS "= ${{{package}_FOUND}} ${{TORCH_FOUND}}")'
-    assert found(configure(tmp_path, root, text)) == [{"Torch": "0 FALSE", "TensorFlow": "0 "}[package]]
+    assert statuses(configure(tmp_path, root, text)) == [{"Torch": "0 FALSE", "TensorFlow": "0 "}[package]]
     failed = configure(tmp_path, root, f"find_package({package} REQUIRED)")
     assert failed.returncode != 0
     assert "was uninstalled from" in " ".join(failed.stderr.split())

@@ -24,10 +24,10 @@ def run(tmp_path: Path, calls: str) -> str:
     functions = text[text.index("kept=/run/debs") : text.index("# script FILE NAME")].replace(
         "/run/debs", f"{tmp_path}/kept"
     )
-    said = f"Reading package lists...\n'http://x/liba.deb' liba_1%3a2_amd64.deb {len(DEB)} SHA256:{SHA256}"
+    answer = f"Reading package lists...\n'http://x/liba.deb' liba_1%3a2_amd64.deb {len(DEB)} SHA256:{SHA256}"
     executable(
         tmp_path / "apt-get",
-        f'[ "$*" = "install --yes --print-uris -o Acquire::ForceHash=SHA256 liba" ] && echo "{said}"',
+        f'[ "$*" = "install --yes --print-uris -o Acquire::ForceHash=SHA256 liba" ] && echo "{answer}"',
     )
     (tmp_path / "scratch").mkdir(exist_ok=True)
     env = {

@@ -33,9 +33,9 @@ def after(file: Path, content: bytes) -> tuple[bytes, str]:
 
 
 def test_all_certificates_get_one_time(tmp_path: Path) -> None:
-    wanted = store([1767225600000] * 3)
+    expected = store([1767225600000] * 3)
     for times in ([1, 2, 3], [1795320266742, 1795320266750, 1795320267001]):
-        assert after(tmp_path / "cacerts", store(times)) == (wanted, "")
+        assert after(tmp_path / "cacerts", store(times)) == (expected, "")
 
 
 OTHERS = {
@@ -48,6 +48,6 @@ OTHERS = {
 
 @pytest.mark.parametrize("other", OTHERS)
 def test_what_else_there_is_stays(tmp_path: Path, other: str) -> None:
-    content, said = after(tmp_path / "cacerts", OTHERS[other])
+    content, message = after(tmp_path / "cacerts", OTHERS[other])
     assert content == OTHERS[other]
-    assert "left as it is" in said
+    assert "left as it is" in message

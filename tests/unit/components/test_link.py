@@ -19,9 +19,9 @@ pytestmark = pytest.mark.skipif(not shutil.which("gcc"), reason="there is no com
 
 @pytest.fixture
 def script(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> ModuleType:
-    found = script_of_a_build("containerize/link.py")
-    monkeypatch.setattr(found, "INSTALL", tmp_path / "install")
-    return found
+    script = script_of_a_build("containerize/link.py")
+    monkeypatch.setattr(script, "INSTALL", tmp_path / "install")
+    return script
 
 
 def compiled(folder: Path, name: str, source: str, *options: str) -> None:
@@ -29,7 +29,7 @@ def compiled(folder: Path, name: str, source: str, *options: str) -> None:
     subprocess.run(["gcc", "source.c", "-o", name, *options], cwd=folder, check=True)
 
 
-def said(script: ModuleType, tmp_path: Path) -> list[str]:
+def lines_of(script: ModuleType, tmp_path: Path) -> list[str]:
     script.main(str(tmp_path / "out"))
     return sorted(trial.lines((tmp_path / "out").read_bytes()))
 
@@ -48,13 +48,13 @@ def test_what_is_missing_is_named(script: ModuleType, tmp_path: Path, monkeypatc
     )
     monkeypatch.delenv("LD_LIBRARY_PATH", raising=False)
     module = "import robot_that_is_gone.node: ModuleNotFoundError: No module named 'robot_that_is_gone'"
-    assert said(script, tmp_path) == [module]
+    assert lines_of(script, tmp_path) == [module]
 
     compiled(libraries, "libone.so", "int one(void) { return 1; }", "-shared", "-fPIC")
     (libraries / "libgone.so").unlink()
-    found = said(script, tmp_path)
-    assert module in found and "lib/node: libgone.so => not found" in found
-    assert any(line.startswith("lib/node: undefined symbol: two") for line in found)
+    lines = lines_of(script, tmp_path)
+    assert module in lines and "lib/node: libgone.so => not found" in lines
+    assert any(line.startswith("lib/node: undefined symbol: two") for line in lines)
 
 
 def test_a_module_that_a_script_imports(script: ModuleType, tmp_path: Path) -> None:
@@ -66,7 +66,7 @@ def test_a_module_that_a_script_imports(script: ModuleType, tmp_path: Path) -> N
     )
     (folder / "beside.py").write_text("from robot_that_is_gone_too import b\n")
     (folder / "run").write_text("#!/bin/sh\nimport nothing\n")
-    assert said(script, tmp_path) == [
+    assert lines_of(script, tmp_path) == [
         "lib/robot/beside.py: import robot_that_is_gone_too: there is no such module",
         "lib/robot/node.py: import robot_that_is_gone: there is no such module",
     ]
@@ -78,7 +78,7 @@ def test_a_module_that_never_ends(script: ModuleType, tmp_path: Path, monkeypatc
     (tmp_path / "waits.py").write_text("import time\ntime.sleep(60)\n")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
     monkeypatch.setattr(script, "SECONDS", 1)
-    assert said(script, tmp_path) == ["import waits: nothing for 1 s"]
+    assert lines_of(script, tmp_path) == ["import waits: nothing for 1 s"]
 
 
 @pytest.mark.parametrize(

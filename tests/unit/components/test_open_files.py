@@ -12,11 +12,11 @@ LIMIT = "1048576"
 
 
 @pytest.mark.parametrize(
-    ("soft", "hard", "left"),
+    ("soft", "hard", "limits"),
     [(64, 128, "64 128"), (64, 8192, "64 512"), (8192, 8192, "512 512")],
     ids=["few", "a hard limit of many", "many"],
 )
-def test_a_limit_of_many_files_is_lowered(soft: int, hard: int, left: str) -> None:
+def test_a_limit_of_many_files_is_lowered(soft: int, hard: int, limits: str) -> None:
     """Each node of roscpp takes memory for all of them. Here, 512 stand for the limit, which not every machine can exceed."""
     text = (ROOT / "components/base/setup.bash").read_text()
     script = f"set -u; {text.replace(LIMIT, '512')}\necho $(ulimit -Sn) $(ulimit -Hn)"
@@ -27,4 +27,4 @@ def test_a_limit_of_many_files_is_lowered(soft: int, hard: int, left: str) -> No
         text=True,
         check=False,
     )
-    assert (done.stdout.split(), done.stderr) == (left.split(), "")
+    assert (done.stdout.split(), done.stderr) == (limits.split(), "")

@@ -20,7 +20,7 @@ nvidia-cublas==13.1.0.3
 """
 
 
-def told(out: Path, *arguments: object, name: str = "torch") -> list[str]:
+def slot_lines(out: Path, *arguments: object, name: str = "torch") -> list[str]:
     """Calls packages.py for a part; returns the lines of its slot."""
     env = {**os.environ, "OUT": str(out), "SITE": f"/{SITE}", "PART": name}
     subprocess.run([ROOT / "components/part/packages.py", *map(str, arguments)], env=env, check=True)
@@ -49,8 +49,8 @@ def part(folder: Path, *names: str) -> Path:
 
 
 def test_a_slot_keeps_what_pins_name_and_holds_the_rest_to_what_the_part_asks_for(tmp_path: Path) -> None:
-    found = part(tmp_path, "torch-2.10.0+cpu", "triton-3.6.0", "typing_extensions-4.16.0", "Pillow-13.0.0")
-    assert told(found, "02", tmp_path / "*.txt") == [
+    packages = part(tmp_path, "torch-2.10.0+cpu", "triton-3.6.0", "typing_extensions-4.16.0", "Pillow-13.0.0")
+    assert slot_lines(packages, "02", tmp_path / "*.txt") == [
         "# What the part torch holds and asks for",
         "torch==2.10.0+cpu",
         "triton==3.6.0",
@@ -61,8 +61,8 @@ def test_a_slot_keeps_what_pins_name_and_holds_the_rest_to_what_the_part_asks_fo
 
 
 def test_all_of_a_part_keeps_its_version_where_nobody_names_what_does(tmp_path: Path) -> None:
-    found = part(tmp_path, "einops-1.0", "Pillow-13.0.0", "ruamel.yaml-0.18")
-    assert told(found, "02", name="einops")[:4] == [
+    packages = part(tmp_path, "einops-1.0", "Pillow-13.0.0", "ruamel.yaml-0.18")
+    assert slot_lines(packages, "02", name="einops")[:4] == [
         "# What the part einops holds and asks for",
         "einops==1.0",
         "pillow==13.0.0",
@@ -72,18 +72,18 @@ def test_all_of_a_part_keeps_its_version_where_nobody_names_what_does(tmp_path: 
 
 def test_a_requirement_that_nobody_can_read_stops_the_part(tmp_path: Path) -> None:
     """Rather than a package that moves where it must not."""
-    found = part(tmp_path, "torch-2.10.0")
-    (found / SITE / "torch-2.10.0.dist-info/METADATA").write_text("Requires-Dist: (>=1)\n")
+    packages = part(tmp_path, "torch-2.10.0")
+    (packages / SITE / "torch-2.10.0.dist-info/METADATA").write_text("Requires-Dist: (>=1)\n")
     with pytest.raises(subprocess.CalledProcessError):
-        told(found, "02")
+        slot_lines(packages, "02")
 
 
 def test_packages_of_another_part_are_shown(tmp_path: Path) -> None:
     """In folders of their own: uv follows no link to one. What they lead to is where that part is joined."""
     (tmp_path / SITE).mkdir(parents=True)
     (tmp_path / "cuda.txt").write_text(LOCK)
-    found = told(tmp_path, "01", tmp_path / "cuda.txt", name="common")
-    assert found[1:] == ["nvidia-cublas==13.1.0.3", "nvidia-nccl-cu12==2.27.5"]
+    lines = slot_lines(tmp_path, "01", tmp_path / "cuda.txt", name="common")
+    assert lines[1:] == ["nvidia-cublas==13.1.0.3", "nvidia-nccl-cu12==2.27.5"]
     folder = tmp_path / SITE / "nvidia_nccl_cu12-2.27.5.dist-info"
     assert folder.is_dir() and not folder.is_symlink()
     links = {file.name: os.readlink(file) for file in folder.iterdir()}

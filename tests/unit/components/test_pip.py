@@ -102,8 +102,8 @@ class Distribution:
         done = subprocess.run(["bash", str(self.script)], env=env, capture_output=True, text=True, check=False)
         assert done.returncode == 0, done.stdout + done.stderr
         (site,) = (self.root / "usr/local/lib").glob("python3*/site-packages")
-        found = [file for folder in site.glob("pip*") for file in folder.rglob("*") if file.is_file()]
-        return {str(file.relative_to(site)): file.read_bytes() for file in found}
+        files = [file for folder in site.glob("pip*") for file in folder.rglob("*") if file.is_file()]
+        return {str(file.relative_to(site)): file.read_bytes() for file in files}
 
 
 @pytest.fixture(scope="module", params=["", "3.8"])
@@ -128,8 +128,8 @@ def test_each_build_has_the_same_pip(distribution: Distribution) -> None:
 
 def test_what_is_on_record_of_pip(distribution: Distribution) -> None:
     """Each file, and no more; the one that was changed has no digest."""
-    found = distribution.built()
-    record = found["pip-99.dist-info/RECORD"].decode().splitlines()
-    assert {line.partition(",")[0] for line in record} == {name for name in found if not name.endswith(".pyc")}
+    files = distribution.built()
+    record = files["pip-99.dist-info/RECORD"].decode().splitlines()
+    assert {line.partition(",")[0] for line in record} == {name for name in files if not name.endswith(".pyc")}
     assert "pip/_internal/utils/misc.py,," in record
-    assert b"/usr/lib/python3/" in found["pip/_internal/utils/misc.py"]
+    assert b"/usr/lib/python3/" in files["pip/_internal/utils/misc.py"]

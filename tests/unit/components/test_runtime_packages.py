@@ -38,7 +38,7 @@ def programs(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize(
-    ("named", "needed"),
+    ("packages", "needed"),
     [
         ("libfoo-dev", "libbar2 libfoo1 ros-std-msgs"),
         ("ros-core-dev", "libbar2 libfoo1 ros-core ros-std-msgs"),
@@ -51,7 +51,7 @@ def programs(tmp_path: Path) -> Path:
         ("g++ gcc-12 libstdc++-12-dev build-essential foo-tools", ""),
     ],
 )
-def test_what_programs_need(named: str, needed: str, programs: Path) -> None:
+def test_what_programs_need(packages: str, needed: str, programs: Path) -> None:
     env = {"PATH": f"{programs}:/usr/bin:/bin"}
-    done = subprocess.run([SCRIPT, *named.split()], env=env, capture_output=True, text=True, check=True)
+    done = subprocess.run([SCRIPT, *packages.split()], env=env, capture_output=True, text=True, check=True)
     assert done.stdout.split() == needed.split()

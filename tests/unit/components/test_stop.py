@@ -116,10 +116,10 @@ PROGRAMS = {"node": NODE, "ros2": ROS2, "roslaunch": ROSLAUNCH, "rosbag": ROSBAG
 
 @dataclass
 class Ended:
-    """How a command ended. Attributes: files: what its nodes wrote."""
+    """How a command ended, and what its nodes wrote."""
 
     code: int
-    said: str
+    output: str
     seconds: float
     files: Mapping[str, str]
 
@@ -159,7 +159,7 @@ class Started:
             stdout=output,
             stderr=output,
         )
-        self.said = b""
+        self.shown = b""
         if terminal:
             os.close(other)
 
@@ -167,13 +167,13 @@ class Started:
         """What the terminal says."""
         with suppress(OSError):  # the other end was closed
             while self.terminal >= 0 and select.select([self.terminal], [], [], 0.02)[0]:
-                self.said += os.read(self.terminal, 65536)
+                self.shown += os.read(self.terminal, 65536)
 
     def up(self, *names: str, text: str = "") -> None:
         """Waits for nodes, and for what the terminal says."""
         end = time.monotonic() + 30
-        while text.encode() not in self.said or any("up" not in self.files().get(name, "") for name in names):
-            assert time.monotonic() < end and self.process.poll() is None, (self.files(), self.said, self.logged())
+        while text.encode() not in self.shown or any("up" not in self.files().get(name, "") for name in names):
+            assert time.monotonic() < end and self.process.poll() is None, (self.files(), self.shown, self.logged())
             time.sleep(0.02)
             self.read()
 
@@ -203,7 +203,7 @@ class Started:
         if self.terminal >= 0:
             os.close(self.terminal)
         assert code is not None, f"it still runs: {self.files()}"
-        return Ended(code, self.logged() + self.said.decode(errors="replace"), seconds, self.files())
+        return Ended(code, self.logged() + self.shown.decode(errors="replace"), seconds, self.files())
 
 
 @pytest.fixture(autouse=True)
@@ -272,21 +272,21 @@ def test_a_command_alone_gets_its_signal_and_its_exit_code_passes(tmp_path: Path
     started = Started(tmp_path, terminal, "bash", "-c", script)
     started.up("up")
     done = started.ended(signal.SIGTERM)
-    assert done.code == 9 and "ended" in done.said and "erminated" not in done.said
+    assert done.code == 9 and "ended" in done.output and "erminated" not in done.output
 
 
 @BOTH
 @pytest.mark.parametrize(("command", "code"), [(("bash", "-c", "exit 37"), 37), (("bash", "-c", "kill -9 $$"), 137)])
 def test_exit_codes_pass(tmp_path: Path, terminal: bool, command: tuple[str, ...], code: int) -> None:
     done = Started(tmp_path, terminal, *command).ended()
-    assert (done.code, done.said) == (code, "")
+    assert (done.code, done.output) == (code, "")
 
 
 @BOTH
 def test_a_command_does_not_see_the_shells_that_wait_for_it(tmp_path: Path, terminal: bool) -> None:
     """The first shell that somebody opens has the banner."""
     done = Started(tmp_path, terminal, "bash", "-c", "echo level $SHLVL; env | grep -c _rosml; exit 0").ended()
-    assert done.said.split() == ["level", "1", "0"]
+    assert done.output.split() == ["level", "1", "0"]
 
 
 @BOTH
@@ -362,9 +362,9 @@ def test_the_structure_test_sees_whom_a_stop_reaches(tmp_path: Path, reaches: st
     assert '["/tini", "-s", "true"]' in text
     (share / "check.py").write_text(text.replace(words, init).replace('["/tini", "-s", "true"]', '["true"]'))
     environment = {"PATH": os.environ["PATH"], "HOME": str(tmp_path), "WORKSPACE": str(tmp_path)}
-    with (tmp_path / "said").open("w") as said:  # no pipe: a node that is left holds it
+    with (tmp_path / "output").open("w") as output:  # no pipe: a node that is left holds it
         command = ["setsid", sys.executable, str(share / "check.py")]
-        done = subprocess.run(command, env=environment, stdout=said, stderr=said, check=False, timeout=60)
-    printed = (tmp_path / "said").read_text()
+        done = subprocess.run(command, env=environment, stdout=output, stderr=output, check=False, timeout=60)
+    printed = (tmp_path / "output").read_text()
     assert (done.returncode == 0) == (reaches == "every process"), printed
     assert reaches == "every process" or "'a': 'up'" in printed, printed

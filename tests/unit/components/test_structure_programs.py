@@ -34,21 +34,6 @@ def test_programs_of_ros_run_as_commands_of_a_user_do() -> None:
     assert [name for name, command in bare.items() if not command.startswith("/run/tests/checks/")] == []
 
 
-@pytest.mark.parametrize(("distro", "package"), [("Debian", "ros-simulators"), ("noetic", "ros-noetic-simulators")])
-def test_the_simulators_have_the_name_that_the_distribution_gives_them(
-    tmp_path: Path, distro: str, package: str
-) -> None:
-    query = tmp_path / "dpkg-query"
-    query.write_text(f'#!/bin/sh\nfor last; do :; done\ntest "$last" = {package} && echo "installed $last"\n')
-    query.chmod(0o755)
-    env = {"PATH": f"{tmp_path}:{os.environ['PATH']}", "ROS_DISTRO": distro}
-    script = STRUCTURE / "programs/components/desktop_full.sh"
-    done = subprocess.run(
-        ["bash", "-eu", "-o", "pipefail", script], env=env, capture_output=True, text=True, check=False
-    )
-    assert (done.returncode, done.stdout) == (0, f"installed {package}\n"), done.stderr
-
-
 # ---- Words of commands that differ by distribution -------------------------------------------------------------------
 
 RECORD = """\
@@ -114,8 +99,8 @@ def test_runtimes_of_openmp_in_one_process(name: str) -> None:
     mapped += [
         f"7f0{i}-7f1{i} {kind} 00000000 08:01 {i} {path}" for i, path in enumerate(paths) for kind in ("r--p", "r-xp")
     ]
-    found = program("programs/coexist/process.py")["runtimes_too_many"]("\n".join(mapped), machine)
-    assert found == ([] if well else sorted(paths))
+    excess = program("programs/coexist/process.py")["runtimes_too_many"]("\n".join(mapped), machine)
+    assert excess == ([] if well else sorted(paths))
 
 
 @pytest.mark.parametrize("turns", [1, 3])
@@ -167,9 +152,9 @@ def banner(folder: Path, recorded: dict[str, str], *middleware: str) -> str:
     for name in middleware:
         (index / name).touch()
     script = (ROOT / "components/base/banner.sh").read_text()
-    for path, there in (("/usr/local/share/rosml/", f"{folder}/"), ("/opt/ros/", f"{folder}/")):
+    for path in ("/usr/local/share/rosml/", "/opt/ros/"):
         assert path in script
-        script = script.replace(path, there)
+        script = script.replace(path, f"{folder}/")
     environment = {"PATH": os.environ["PATH"], "ROS_DISTRO": "jazzy"}
     return subprocess.run(["bash", "-c", script], env=environment, capture_output=True, text=True, check=True).stdout
 
@@ -225,8 +210,8 @@ FAULTS: dict[str, tuple[dict[str, str], dict[str, str | None], tuple[str, ...], 
 
 @pytest.mark.parametrize("name", FAULTS)
 def test_versions_of_an_image(name: str, tmp_path: Path) -> None:
-    records, promises, middleware, wanted = FAULTS[name]
+    records, promises, middleware, faults = FAULTS[name]
     recorded = {key: value for key, value in {**RECORDED, **records}.items() if value}
     promised = {key: value for key, value in {**PROMISED, **promises}.items() if value}
-    said = banner(tmp_path, recorded, *middleware)
-    assert program("checks/versions.py")["wrong"](said, recorded, SYSTEM, promised) == wanted
+    text = banner(tmp_path, recorded, *middleware)
+    assert program("checks/versions.py")["wrong"](text, recorded, SYSTEM, promised) == faults

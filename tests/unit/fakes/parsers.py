@@ -320,8 +320,8 @@ def archived(index: bytes = b"", manifest: bytes = b"", config: bytes = document
     layers = [oci.descriptor("application/vnd.oci.image.layer.v1.tar", b"")]
     content = {"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, config), "layers": layers}
     manifest = manifest or oci.encoded(content)
-    left_out = {"registry.test/a@sha256:1": [oci.digest_of(b"")]}
-    index = index or archive.index(oci.descriptor(oci.IMAGE, manifest), "registry.test/b:1", left_out)
+    omitted = {"registry.test/a@sha256:1": [oci.digest_of(b"")]}
+    index = index or archive.index(oci.descriptor(oci.IMAGE, manifest), "registry.test/b:1", omitted)
     blobs = [(archive.path(oci.digest_of(data)), data) for data in (manifest, config)]
     return tar_of((archive.LAYOUT, b"{}"), (archive.INDEX, index), *blobs)
 

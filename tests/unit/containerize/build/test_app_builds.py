@@ -220,13 +220,6 @@ def test_what_git_clone_alone_leaves_is_named(robot: Robot) -> None:
     assert line.startswith("arm.dae and 1 file more") and "git lfs pull" in line
 
 
-def test_another_ros_than_the_base_images_is_not_used(robot: Robot) -> None:
-    robot.build(ros_distro="jazzy")
-    assert not robot.messages_with("ROS_DISTRO")
-    robot.build(ros_distro="humble")
-    assert robot.messages_with("ROS_DISTRO=humble is not used: the base image has jazzy")
-
-
 @pytest.mark.parametrize(
     ("base_has", "ros_distro", "compared"),
     [

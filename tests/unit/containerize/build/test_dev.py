@@ -196,12 +196,6 @@ def test_options_go_to_the_engine(place: Place, monkeypatch: pytest.MonkeyPatch,
     assert f"{tmp_path}/bags:/bags" in argv and argv.count("--workdir") == 0
 
 
-def test_the_file_that_init_writes_is_no_obstacle(place: Place) -> None:
-    before = place.call()
-    write(".rosml.toml", 'image = "robot:latest-dev"\noptions = ["--mws"]\n')(place.folder)
-    assert place.call() == before, "the folder is mounted anyway"
-
-
 def test_git_and_builds_leave_out_what_is_kept(place: Place, tmp_path: Path) -> None:
     place.call()
     workspace.stage(place.folder, tmp_path / "staged", ignored=IgnoredFiles(place.folder))
@@ -263,12 +257,6 @@ def test_a_wrong_call_is_refused_before_anything_is_made(place: Place, words: li
         place.call(*words)
     assert says in f"{error.value.message} {error.value.remedy}"
     assert not place.builds and not (place.folder / ".rosml").exists()
-
-
-def test_there_is_no_engine(place: Place) -> None:
-    (place.desk.bin / "docker").unlink()
-    with pytest.raises(RosmlError, match="neither docker nor podman is installed"):
-        place.call()
 
 
 def test_nothing_is_kept_in_a_folder_of_somebody_else(tmp_path: Path) -> None:
