@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from fakes.apps import services
+from fakes.stubs import executable
 from rosml.base.errors import RosmlError
 from rosml.cli.containerize import containerize
 from rosml.containerize import inputs as app_inputs
@@ -49,8 +50,7 @@ def test_other_names_are_refused(name: str, docker: Services) -> None:
 def test_an_old_docker_gets_layers_that_it_can_read(
     version: str, raw: bool, docker: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    (tmp_path / "docker").write_text(f"#!/bin/sh\necho {version}\n")
-    (tmp_path / "docker").chmod(0o755)
+    executable(tmp_path / "docker", f"echo {version}")
     monkeypatch.setenv("PATH", f"{tmp_path}:/usr/bin:/bin")
     app = names(docker)
     assert app.loads and ("compression=uncompressed" in app.loading) is raw

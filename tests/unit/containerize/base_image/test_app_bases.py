@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from fakes.apps import NATIVE, Robot, put, robot, services
+from fakes.stubs import executable
 from rosml.base.errors import RosmlError
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image import rosdep_index
@@ -54,10 +55,8 @@ def test_debians_image_if_docker_hub_does_not_answer(
     monkeypatch.setattr(time, "sleep", lambda _seconds: None)
     monkeypatch.delenv("OS_BOOKWORM", raising=False)
     digest = put(services, "library/debian:bookworm", "linux/amd64")
-    program = tmp_path / "bases"
-    program.write_text(f'#!/bin/sh\necho \'{{"reference": "docker.io/library/debian:bookworm@{digest}"}}\'\n')
-    program.chmod(0o755)
-    with_copy = dataclasses.replace(services, bases=(str(program),))
+    answer = f'{{"reference": "docker.io/library/debian:bookworm@{digest}"}}'
+    with_copy = dataclasses.replace(services, bases=(executable(tmp_path / "bases", f"echo '{answer}'"),))
     for pinned in ("", digest):
         base = app_base.find("debian:bookworm", with_copy, ("linux/amd64",), pinned)
         assert base.name == "docker.io/library/debian:bookworm"
@@ -121,9 +120,7 @@ def test_a_wrong_digest_is_answered_with_the_tags_digest(services: Services, sho
 def test_an_image_that_docker_alone_has(services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Where Docker builds; another builder could not have it."""
     facts = {"Id": "sha256:7", "Os": "linux", "Architecture": "amd64", "Config": {"Env": ["ROS_DISTRO=jazzy"]}}
-    docker = tmp_path / "docker"
-    docker.write_text(f"#!/bin/sh\necho '{json.dumps([facts])}'\n")
-    docker.chmod(0o755)
+    executable(tmp_path / "docker", f"echo '{json.dumps([facts])}'")
     monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
     name = f"{services.registry}/mine:1"
     with_docker = dataclasses.replace(services, builder_kind="user")
@@ -134,7 +131,7 @@ def test_an_image_that_docker_alone_has(services: Services, tmp_path: Path, monk
         app_base.find(name, with_docker, ("linux/amd64",), "sha256:8")
     with pytest.raises(RosmlError, match="there is no image"):
         app_base.find(name, services, ("linux/amd64",))
-    docker.write_text(f"#!/bin/sh\necho '{json.dumps([{**facts, 'Config': {'OnBuild': ['RUN x']}}])}'\n")
+    executable(tmp_path / "docker", f"echo '{json.dumps([{**facts, 'Config': {'OnBuild': ['RUN x']}}])}'")
     with pytest.raises(RosmlError, match="mine:1 has ONBUILD"):
         app_base.find(name, with_docker, ("linux/amd64",))
 
@@ -208,7 +205,7 @@ def test_a_user_of_a_base_image_is_a_name(services: Services, user: str) -> None
         app_base.find("ros:jazzy", services, (NATIVE,))
 
 
-@pytest.mark.parametrize("kind", [tarfile.XHDTYPE, tarfile.XGLTYPE, tarfile.GNUTYPE_LONGNAME, tarfile.GNUTYPE_LONGLINK])
+@pytest.mark.parametrize("kind", [tarfile.XHDTYPE, tarfile.GNUTYPE_LONGNAME])
 def test_a_header_of_an_archive_takes_no_memory(kind: bytes, tmp_path: Path) -> None:
     """A few MB of gzip hold gigabytes of it."""
     header = tarfile.TarInfo("a")

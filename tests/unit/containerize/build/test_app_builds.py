@@ -50,11 +50,8 @@ def test_images_are_joined_after_the_report_is_read(robot: Robot) -> None:
 
 def test_json_has_the_fields_of_the_result_and_of_its_outcome(robot: Robot) -> None:
     fields = json.loads(json.dumps(robot.build().to_json()))
-    assert fields["images"][0] == {
-        "target": "run",
-        "reference": f"{robot.services.registry}/robot:latest",
-        "digest": "sha256:1",
-    }
+    image = {"target": "run", "reference": f"{robot.services.registry}/robot:latest", "digest": "sha256:1"}
+    assert fields["images"][0] == image
     assert {"tests", "slim_tests", "downstream_tests", "reports", "locked", "described", "waited"} <= fields.keys()
     assert fields["tests"] == {"count": 0, "skipped": 0, "failures": []}
     assert (fields["packages"], fields["installed"], fields["lock"]["format"]) == (["robot"], ["libfoo:all"], 1)
@@ -134,14 +131,9 @@ def test_no_slim_image_is_made_if_no_base_image_is_found(robot: Robot) -> None:
     local = robot.services.registry
     robot.put(config={"Labels": OURS})
     robot.put("plain:1")
-    for name, why in (
-        ("ros:jazzy", f"there is no {local}/rosml/ros:jazzy-base-run"),
-        (f"{local}/plain:1", f"{local}/plain:1 does not say which base image has no compilers"),
-    ):
+    for name, why in (("ros:jazzy", "there is no"), (f"{local}/plain:1", f"{local}/plain:1 does not say")):
         robot.build(base_image=name, target="run", enable_slim="true")
-        assert robot.names[-1] == "run" and robot.messages_with(
-            f"no slim image: {why}; name one with --slim-base-image"
-        )
+        assert robot.names[-1] == "run" and robot.messages_with(f"no slim image: {why}")
     with pytest.raises(RosmlError, match="there is no image typo"):
         robot.build(enable_slim="true", slim_base_image="typo")
 
@@ -222,12 +214,7 @@ def test_what_git_clone_alone_leaves_is_named(robot: Robot) -> None:
 
 @pytest.mark.parametrize(
     ("base_has", "ros_distro", "compared"),
-    [
-        ("Debian", "", "noetic"),
-        ("Debian", "Debian", "noetic"),
-        ("Debian", "melodic", "melodic"),
-        ("jazzy", "humble", "jazzy"),
-    ],
+    [("Debian", "", "noetic"), ("Debian", "melodic", "melodic"), ("jazzy", "humble", "jazzy")],
 )
 def test_conditions_compare_with_a_release(base_has: str, ros_distro: str, compared: str, robot: Robot) -> None:
     """No manifest compares with what Debian calls its own ROS."""
@@ -235,6 +222,7 @@ def test_conditions_compare_with_a_release(base_has: str, ros_distro: str, compa
     robot.build(ros_distro=ros_distro)
     arguments = robot.targets[0]["args"]
     assert (arguments["ROS_DISTRO"], arguments["CONDITIONS"]) == (base_has, compared)
+    assert bool(robot.messages_with("ROS_DISTRO=humble is not used")) is (base_has == "jazzy")
 
 
 # ---- Lock files and caches -------------------------------------------------------------------------------------------

@@ -38,19 +38,9 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def keys_of(folder: Path, base: str = "sha256:1", slim: str = "", hooked: bool = False, **values: Any) -> Keys:
-    inputs = Inputs(
-        targets=("run",),
-        base=Base("base", base, {}),
-        slim=Base("slim", slim, {}) if slim else None,
-        distribution="jazzy",
-        conditions="jazzy",
-        values=Values(**values),
-        contexts={name: folder / name for name in FOLDERS},
-        empty=folder,
-        hooked=hooked,
-        commit="",
-        time=0,
-    )
+    bases = Base("base", base, {}), Base("slim", slim, {}) if slim else None
+    folders = {name: folder / name for name in FOLDERS}
+    inputs = Inputs(("run",), *bases, "jazzy", "jazzy", Values(**values), folders, folder, hooked, commit="", time=0)
     return keys(inputs, ("linux/amd64",))
 
 
@@ -175,14 +165,11 @@ ROBOT = "me/robot-cache"
     ],
 )
 def test_a_damaged_report_is_none(content: bytes, server: LocalRegistry) -> None:
-    with Cache(f"{server.address}/{ROBOT}", "") as cache:
+    with Cache(f"{server.address}/{ROBOT}", "") as cache, Registry(server.address) as client:
         cache.keep(KEYS, OUTCOME, TESTS, {})
-        [tag] = server.tags[ROBOT]
-        manifest = json.loads(server.manifests[ROBOT, server.tags[ROBOT][tag]][1])
-        server.blobs[ROBOT, oci.digest_of(content)] = content
-        manifest["layers"] = [oci.descriptor("application/json", content)]
-        with Registry(server.address) as client:
-            client.put_manifest(ROBOT, tag, manifest)
+        manifest = json.loads(server.manifests[ROBOT, server.tags[ROBOT][KEYS.report]][1])
+        client.put_blob(ROBOT, content)
+        client.put_manifest(ROBOT, KEYS.report, {**manifest, "layers": [oci.descriptor("application/json", content)]})
         assert cache.report(KEYS) is None
 
 
@@ -195,11 +182,9 @@ def test_a_damaged_report_is_none(content: bytes, server: LocalRegistry) -> None
     ],
 )
 def test_another_manifest_is_no_report(manifest: dict[str, Any], server: LocalRegistry) -> None:
-    with Cache(f"{server.address}/{ROBOT}", "") as cache:
-        cache.keep(KEYS, OUTCOME, TESTS, {})
-        [tag] = server.tags[ROBOT]
-        with Registry(server.address) as client:
-            client.put_manifest(ROBOT, tag, manifest, manifest["mediaType"])
+    with Cache(f"{server.address}/{ROBOT}", "") as cache, Registry(server.address) as client:
+        client.put_blob(ROBOT, oci.EMPTY_BLOB)
+        client.put_manifest(ROBOT, KEYS.report, manifest, manifest["mediaType"])
         assert cache.report(KEYS) is None
 
 
