@@ -60,7 +60,7 @@ class Part:
     def run(self, *words: str, script: str = SCRIPT.name, **variables: str) -> subprocess.CompletedProcess[str]:
         env = {**os.environ, "OUT": str(self.out), "SITE": f"/{SITE}", "PART_FOLDER": str(self.part), **variables}
         program = [sys.executable] if script.endswith(".py") else []
-        command = [*program, SCRIPT.with_name(script), *words]
+        command = [*program, str(SCRIPT.with_name(script)), *words]
         return subprocess.run(command, env=env, capture_output=True, text=True, check=False)
 
     def verifies(self) -> bool:

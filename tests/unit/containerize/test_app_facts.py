@@ -327,3 +327,11 @@ def test_an_app_that_replaces_packages_of_its_base_has_no_facts(
     assert [item.files for item in app.packages] == [["usr/lib/new", "var/lib/dpkg/status.d/libnew"]]
     assert app.files == ["docker-ros/ws/install/setup.sh", *brought]
     assert app.asks_pip == ["click", "colorama", "numpy", "typing-extensions"]
+
+
+def test_what_packages_install_outside_of_the_workspace_is_named(tmp_path: Path) -> None:
+    names = ("opt/a", "usr/lib/x", "var/cache/x")
+    before = put(tmp_path / "before", dict.fromkeys(names, ""))
+    of_builds = ("docker-ros/ws/build/x", "usr/lib/__pycache__/x.pyc", "var/cache/y")
+    after = put(tmp_path / "after", dict.fromkeys((*names, *of_builds, "opt/b"), ""))
+    assert script_of_a_build("containerize/app_files.py").outside(before, after) == ["opt/b"]

@@ -235,7 +235,7 @@ def test_conditions_compare_with_the_release_of_the_base_image(
     identify: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     contexts = list[dict[str, str]]()
-    attributes = {attribute: [] for group in identify.KINDS.values() for attribute in group}
+    attributes: dict[str, Any] = {attribute: [] for group in identify.KINDS.values() for attribute in group}
     package = SimpleNamespace(name="robot", evaluate_conditions=contexts.append, **attributes)
     monkeypatch.setattr(identify.manifests, "packages", lambda *_: [(Path("target/robot"), package)])
     monkeypatch.setenv("ROS_DISTRO", "Debian")

@@ -365,15 +365,25 @@ deb http://archive.test/debian bookworm main
 exec "$@"
 """
 
-RESULT = {"target": "alpha-base", "architecture": "amd64", "digest": DIGEST, "scanned": "clean"}
+RESULT: dict[str, Any] = {"target": "alpha-base", "architecture": "amd64", "digest": DIGEST, "scanned": "clean"}
 RESULT |= {"scan": {"findings": {"high": 1}, "packages": 2}}
 RESULTS = {"version": 1, "date": "2026-11-22T03:00:00Z", "entries": [RESULT]}
 
 TESTS = {"Results": [{"Name": "Command Test: a", "Pass": True, "Duration": 5e9, "Errors": ["x"], "Stdout": "y"}]}
 
-SERVICES = {"registry": "127.0.0.1:5000", "buildx": ["docker", "buildx"], "builder": "rosml", "builder_kind": "ours"}
+SERVICES: dict[str, Any] = {
+    "registry": "127.0.0.1:5000",
+    "buildx": ["docker", "buildx"],
+    "builder": "rosml",
+    "builder_kind": "ours",
+}
 SERVICES |= {"buildx_config": None, "uv": "uv", "ca_bundle": "", "bases": []}
 
-PLAN = {"version": 1, "date": "2026-11-22T03:00:00Z", "registry": "registry.test/rosml", "architectures": ["amd64"]}
+PLAN: dict[str, Any] = {
+    "version": 1,
+    "date": "2026-11-22T03:00:00Z",
+    "registry": "registry.test/rosml",
+    "architectures": ["amd64"],
+}
 PLAN |= {"serve": [], "force": False, "package_state": {"jazzy": "x"}, "targets": ["alpha"]}
 PLAN |= {"shards": [], "tasks": [], "unchanged": 0, "remarks": []}
