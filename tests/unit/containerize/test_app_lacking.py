@@ -289,7 +289,7 @@ def test_what_python_imports_of_the_base_image(script: ModuleType, tmp_path: Pat
         **runtime,
         f"{install}/lib/ni/node": "#!/usr/bin/env python3\nimport torch.nn, sys, os.path, gone\nfrom ni_msgs import msg\n",
         f"{install}/lib/ni/text": "#!/bin/sh\nimport extra\n",
-        f"{install}/lib/python3/dist-packages/ni/core.py": "from numpy import array\nfrom . import other\nimport brought\n",
+        f"{install}/lib/python3/dist-packages/ni/core.py": "from numpy import array\nfrom .extra import other\nimport brought\n",
         f"{install}/share/ni/launch/all.launch.py": "import yaml\ntry:\n    import extra\nexcept ImportError:\n    pass\n",
         f"{install}/share/ni/broken.py": "import (\n",
         f"{install}/share/ni/later.py": "def now():\n    import cv2\n",
