@@ -24,7 +24,7 @@ from rosml.images.matrix.model import OperatingSystem
 from rosml.images.publish.state import Request
 from rosml.images.publish.survey import survey
 from rosml.machine.services import Services
-from rosml.registry import failures, oci
+from rosml.registry import oci, retries
 from rosml.registry.client import Registry
 from rosml.registry.place import Place
 
@@ -101,7 +101,7 @@ def test_what_is_no_source(file: str, text: str, line: int) -> None:
 @pytest.fixture(autouse=True)
 def native(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(base_images, "native_architecture", lambda: "amd64")
-    monkeypatch.setattr(failures, "WAIT", 0.01)
+    monkeypatch.setattr(retries, "WAIT", 0.01)
 
 
 @pytest.fixture
