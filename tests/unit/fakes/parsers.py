@@ -12,7 +12,7 @@ import json
 import sys
 import zipfile
 import zlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from datetime import UTC, datetime
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
@@ -48,7 +48,7 @@ from rosml.containerize.rebase import compatibility, fleet, image, trial
 from rosml.containerize.rebase.attachments import BaseContents
 from rosml.containerize.sources import repos_file, tree, versions
 from rosml.containerize.sources import store as sources_store
-from rosml.delivery import archive, patch
+from rosml.delivery import apply_patch, archive, make_patch
 from rosml.delivery import engine as layers_of_engine
 from rosml.delivery import image as saved_image
 from rosml.delivery.complete import choose, complete
@@ -477,13 +477,13 @@ def packages_of_archive(document: bytes, folder: Path) -> object:
 
 OLDER_LAYER = gzip.decompress(tar_of(("a", b"one" * 2000), ("b", bytes(9000))))
 NEW_LAYER = gzip.decompress(tar_of(("a", b"one" * 1999 + b"two"), ("c", bytes(9000)), ("d", b"three")))
-PATCH_PLAN, *FRAMES = patch.make(io.BytesIO(OLDER_LAYER), io.BytesIO(NEW_LAYER))
+PATCH_PLAN, *FRAMES = make_patch.make(io.BytesIO(OLDER_LAYER), io.BytesIO(NEW_LAYER))
 PATCH = b"".join((PATCH_PLAN, *FRAMES))
 
 
 def patches_of(patch_bytes: bytes) -> bytes:
     older = {"digest": oci.digest_of(OLDER_LAYER), "diff_id": oci.digest_of(OLDER_LAYER), "size": len(OLDER_LAYER)}
-    entry = {**oci.descriptor(patch.MEDIA_TYPE, patch_bytes), "image": "a", "old": older}
+    entry = {**oci.descriptor(apply_patch.MEDIA_TYPE, patch_bytes), "image": "a", "old": older}
     return json.dumps({oci.digest_of(NEW_LAYER): entry}).encode()
 
 
@@ -601,7 +601,7 @@ def images_of_engine(document: bytes, folder: Path) -> object:
 
 def saved_by_engine(document: bytes, folder: Path) -> object:
     program = answering(folder, "docker", uncompressed(document))
-    layer = saved_image.Layer(documents.DIGEST, oci.digest_of(b"x"), 1)
+    layer = saved_image.Layer(digest=documents.DIGEST, diff_id=oci.digest_of(b"x"), size=1)
     for item in layers_of_engine.InEngine(program, "1" * 64, frozenset([layer.diff_id])).take([layer]):
         item.send(lambda blocks: print(*map(len, blocks), file=io.StringIO()))
     return None
@@ -644,13 +644,13 @@ def wheel_of(document: bytes, folder: Path) -> object:
 
 
 def pylock_of(document: bytes, folder: Path) -> object:
-    def uv(_: list[str], place: Path) -> tuple[int, str]:
-        (place / "pylock.toml").write_bytes(document)
-        return 0, ""
+    class OneAnswer(Uv):
+        def __call__(self, arguments: Sequence[str], folder: Path) -> tuple[int, str]:
+            (folder / "pylock.toml").write_bytes(document)
+            return 0, ""
 
-    run: Any = uv
     nothing = httpx.Client(transport=httpx.MockTransport(lambda _: reply(404)))
-    return index.Index(run, nothing).wheels(index.WheelTarget("3.12", "x86_64-manylinux_2_28"), {"a": "1"})
+    return index.Index(OneAnswer(), nothing).wheels(index.WheelTarget("3.12", "x86_64-manylinux_2_28"), {"a": "1"})
 
 
 def github_of(document: bytes, folder: Path) -> object:
