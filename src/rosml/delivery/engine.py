@@ -21,7 +21,7 @@ from rosml.delivery.complete import complete
 from rosml.delivery.image import Image, Layer
 from rosml.delivery.sources import LayerBlob
 from rosml.run import engine
-from rosml.run.context import Engine
+from rosml.run.context import NEW_DOCKER, OLD_DOCKER, Engine
 
 _DIGEST_NAME = re.compile(r"(?:\./)?(?:blobs/sha256/)?([0-9a-f]{64})(?:\.tar)?")
 """A file of `docker save` or `podman save` whose name is the digest of its content."""
@@ -110,8 +110,7 @@ def sources(command: str, image: Image, only: str = "") -> list[InEngine]:
 def held(command: str, image: Image, store: Engine) -> set[str]:
     """The digests of layers that docker takes from its own store: another image has them, on the same layers."""
     if not store.zstd and any(str(entry["mediaType"]).endswith("zstd") for entry in image.content["layers"]):
-        text = f"{command} here is older than version 23, and cannot read layers with zstd, which {image.name or 'the image'} has"
-        raise RosmlError(text, "update Docker, or take podman: ROSML_ENGINE=podman", exit_code=2)
+        raise RosmlError(f"{command} cannot load {image.name or 'the image'}: {OLD_DOCKER}", NEW_DOCKER, exit_code=2)
     if not store.chains:
         return set()
     diff_ids_of_image = [image.layers[digest].diff_id for digest in image.order]

@@ -68,6 +68,11 @@ _BUILDER_REMEDIES: _Remedies = (
     ),
     (r"registry-1\.docker\.io", _NO_BASE),
     _REFUSED_CONNECTION,
+    (
+        "unsupported frontend capability",
+        "the builder's BuildKit is too old for contexts with names: update Docker to 23 or newer, or unset BUILDX_BUILDER and run"
+        " 'rosml setup', which makes a builder",
+    ),
     ("network.host is not allowed", "run 'rosml setup', which tells the builder of a mirror on this machine"),
     ("failed to dial", "run 'rosml setup', which starts what is down, then run it again"),
     (

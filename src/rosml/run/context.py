@@ -14,6 +14,11 @@ PODMAN_CDI = ("/etc/cdi", "/var/run/cdi")
 """The folders in which podman looks for CDI files."""
 
 
+OLD_DOCKER = "docker before version 23 cannot read layers with zstd, which rosml's images have"
+"""Docker 23.0 reads them first: https://docs.docker.com/engine/release-notes/23.0/"""
+NEW_DOCKER = "update Docker (https://docs.docker.com/engine/install), or take podman: ROSML_ENGINE=podman"
+
+
 @dataclass(frozen=True)
 class Engine:
     """The engine, docker or podman."""

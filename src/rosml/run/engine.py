@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from rosml.base.errors import RosmlError
 from rosml.run import answers
 from rosml.run.answers import Answer
-from rosml.run.context import PODMAN_CDI, Container, Engine, Image
+from rosml.run.context import NEW_DOCKER, OLD_DOCKER, PODMAN_CDI, Container, Engine, Image
 from rosml.run.words import Line
 
 ENGINE = "ROSML_ENGINE"
@@ -177,13 +177,15 @@ def pull(command: str, line: Line) -> None:
         raise RosmlError(f"no image {line.image} here, and --pull=never", f"{command} pull {line.image}")
     single = [option for option in line.engine if len(option.names) == 1]  # `pull` does not know -i and -t of -itq
     options = [word for option in single if option.names[0] in PULL_OPTIONS for word in option.words]
-    plain = "" if line.has("tls-verify") or not about(command).podman else "--tls-verify=false"
+    engine = about(command)
+    plain = "" if line.has("tls-verify") or not engine.podman else "--tls-verify=false"
     if plain and LOCAL_REGISTRY.match(line.image):
         options.append(plain)
     argv = [command, "pull", *options, line.image]
     if subprocess.run(argv, stdout=2, check=False).returncode:
         remedy = f"{_name_advice(line.image)}; if it is private: {command} login REGISTRY"
         remedy += f"; if its registry has no TLS: rosml run {plain} {line.image}" if plain else ""
+        remedy = remedy if engine.zstd else f"{NEW_DOCKER}, as {OLD_DOCKER}; otherwise: {remedy}"
         raise RosmlError(f"no image {line.image} here, and {command} cannot pull it", remedy)
 
 

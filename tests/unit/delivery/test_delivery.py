@@ -150,7 +150,7 @@ def test_docker_that_cannot_read_zstd_is_said(shop: Shop, capsys: pytest.Capture
     assert shop.call("load", shop.folder / "saved.tar") == 0
     (shop.folder / "info.json").write_text('{"ServerVersion": "20.10.24"}')
     assert shop.call("load", shop.folder / "saved.tar") == 2
-    assert "older than version 23" in capsys.readouterr().err
+    assert "before version 23" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("kind", ["old", "docker", "containerd", "podman"])

@@ -250,6 +250,7 @@ PUSH = "failed to push {}/a: unexpected status from PUT request to http://x/v2/a
     [
         ("failed to dial gRPC", "run 'rosml setup'"),
         ("failed to solve: failed to load LLB: network.host is not allowed", "run 'rosml setup'"),
+        ("failed to solve: unsupported frontend capability moby.buildkit.frontend.contexts", "Docker to 23 or newer"),
         (
             "failed to resolve source metadata for docker.io/library/a:1: failed to do request: Head"
             ' "https://registry-1.docker.io/v2/library/a/manifests/1": dial tcp: connect: connection refused',

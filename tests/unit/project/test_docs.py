@@ -234,6 +234,7 @@ THEIRS = {
     *("permission denied while trying to connect to the Docker daemon socket", "exec format error"),
     *('could not select device driver "" with capabilities: [[gpu]]', "no space left on device"),
     "nvidia-container-cli: requirement error: unsatisfied condition: cuda>=13.0",
+    *("archive/tar: invalid tar header", "unsupported frontend capability"),
     *("manifest unknown", "pull access denied", "repository does not exist", "toomanyrequests"),
     *("dial tcp 127.0.0.1:…: connect: connection refused", "No module named 'rclpy'", "ros2: command not found"),
     *("detected dubious ownership in repository", "torch.cuda.is_available()", "False"),

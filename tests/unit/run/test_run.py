@@ -237,6 +237,12 @@ def test_an_image_that_nobody_has(desk: Desk, image: str, remedy: str) -> None:
     assert f"pull access denied\nerror: no image {image} here, and docker cannot pull it\n" in done.stderr
 
 
+def test_docker_that_reads_no_zstd_is_the_first_reason_why_it_cannot_pull(desk: Desk) -> None:
+    desk.engine(info={**DOCKER, "ServerVersion": "20.10.24"}, images={})
+    remedy = desk.call("ghcr.io/us/ros:jazzy").stderr.partition("remedy: ")[2]
+    assert remedy.startswith("update Docker") and "before version 23" in remedy and "check its name" in remedy
+
+
 @pytest.mark.parametrize("words", [["--dry-run"], ["--json"], ["--pull=never"], ["--pull", "never"]])
 def test_where_nothing_is_pulled(desk: Desk, words: list[str]) -> None:
     desk.engine(images={}, registry={"ours": OURS})

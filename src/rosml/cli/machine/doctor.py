@@ -108,6 +108,7 @@ def disk() -> Iterator[Finding]:
 
 def engine() -> Iterator[Finding]:
     from rosml.run import engine as engines
+    from rosml.run.context import NEW_DOCKER, OLD_DOCKER
     from rosml.run.host import host
     from rosml.run.plugins import gpu as gpus
 
@@ -121,7 +122,10 @@ def engine() -> Iterator[Finding]:
         return
     kind = "podman" if about.podman else "docker"
     name = kind if kind == os.path.basename(program) else f"{program}, which is {kind}"
-    yield Finding("engine", "ok", f"{name} answers" + (", rootless" if about.rootless else ""))
+    if about.zstd:
+        yield Finding("engine", "ok", f"{name} answers" + (", rootless" if about.rootless else ""))
+    else:
+        yield Finding("engine", "wrong", OLD_DOCKER, NEW_DOCKER)
     here = host(os.environ)
     if words := gpus.is_nvidia(here) and gpus.handed_in(about, here):
         yield Finding("GPU in containers", "ok", f"{about.program} hands it in: {' '.join(words)}")

@@ -72,6 +72,12 @@ def test_a_gpu_that_the_engine_cannot_hand_in_is_wrong(machine: Path, monkeypatc
     assert findings()["GPU in containers"]["found"] == "docker hands it in: --gpus all"
 
 
+def test_docker_that_reads_no_zstd_is_wrong(machine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(engine, "answering", lambda name: Engine(name, zstd=False))
+    finding = findings(1)["engine"]
+    assert finding["state"] == "wrong" and "before version 23" in finding["found"] and "podman" in finding["remedy"]
+
+
 def test_what_does_not_answer_is_named(machine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def silent(_: str) -> Engine:
         raise RosmlError("docker does not answer", "start it")
