@@ -23,7 +23,7 @@ from rosml.base.side_by_side import AT_ONCE
 from rosml.images.builds import disk
 from rosml.images.image_set import load
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix import rules, source
+from rosml.images.matrix import combinations, source
 from rosml.images.matrix.sizes import Size
 from rosml.images.publish.prune import Pruner
 from rosml.images.publish.shards import Shard, Work, deal
@@ -415,7 +415,7 @@ def _ros_sizes(image_set: ImageSet, image: Image) -> dict[str, Size]:
     below: Image | None = image_set.by_target[image.parent if image.stack else image.target]
     while below:
         lower = image_set.by_target.get(below.parent)
-        base = lower.disk if lower else rules.system_size(image_set.matrix, below.component)
+        base = lower.disk if lower else combinations.system_size(image_set.matrix, below.component)
         sizes[below.target] = below.disk - base
         if not lower:
             sizes[below.parent] = base

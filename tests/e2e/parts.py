@@ -11,7 +11,7 @@ from dataclasses import dataclass, field, replace
 
 from rosml.images.image_set import labels
 from rosml.images.join import file_lists
-from rosml.images.matrix import rules
+from rosml.images.matrix import combinations
 from rosml.images.matrix.model import ANY_PYTHON, PartEntry
 from rosml.registry import oci
 from rosml.registry.client import Registry
@@ -164,7 +164,9 @@ def part(
     adding = {OWN[kind]: entries(ADDONS[OWN[kind]])} if kind in OWN else {}
     entry = ENTRIES[kind]
     python = ANY_PYTHON if entry.any_python else python
-    brought = [replace(item, version=versions[item.name]) for item in rules.brought_by(entry) if item.name in versions]
+    brought = [
+        replace(item, version=versions[item.name]) for item in combinations.brought_by(entry) if item.name in versions
+    ]
     gpu = {} if stack.startswith("cpu") else GPU.get(kind)
     said = labels.of_part(entry, stack, python, brought, taking, adding) | labels.about_gpus(gpu or {})
     return Tiny(said, **{"files": (f"usr/local/share/{kind}",), **more})  # type: ignore[arg-type]

@@ -16,7 +16,7 @@ from rosml.images.image_set.facts import facts
 from rosml.images.image_set.load import load
 from rosml.images.image_set.locked import with_locks
 from rosml.images.image_set.model import ImageSet
-from rosml.images.matrix import names, rules
+from rosml.images.matrix import combinations, names
 
 
 def test_image_facts(small: ImageSet) -> None:
@@ -583,7 +583,7 @@ def test_asking_for_what_cannot_be_gives_the_reason(small: ImageSet) -> None:
 
 def test_architecture_reasons(small: ImageSet) -> None:
     matrix = small.matrix
-    assert rules.architecture_reason(matrix, "alpha", "torch", "cu1", "amd64") is None
-    assert rules.architecture_reason(matrix, "alpha", "torch", "cu1", "s390x") == (
+    assert combinations.architecture_reason(matrix, "alpha", "torch", "cu1", "amd64") is None
+    assert combinations.architecture_reason(matrix, "alpha", "torch", "cu1", "s390x") == (
         "images of ubuntu-24.04 are built for amd64 and arm64 only"
     )

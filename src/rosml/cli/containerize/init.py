@@ -326,11 +326,11 @@ def _published(image_set: ImageSet, image: Image, project: Project) -> Calls:
     """The line that publishes the base image; with CI also the one for its slim image. Nobody asks the registry whether it has them."""
     from rosml.containerize.init.file_texts import FORGES
     from rosml.images.builds import base_images
-    from rosml.images.matrix import rules
+    from rosml.images.matrix import combinations
 
     if not project.place:
         return []
-    runtime = rules.runtime(image_set.matrix, image.distribution, image.component)
+    runtime = combinations.runtime(image_set.matrix, image.distribution, image.component)
     slim = (image.distribution, runtime, image.combination, image.stack)
     slim_targets = [
         other.target

@@ -42,10 +42,10 @@ COMMAND = "rosml generate"
 def main(check: bool, matrix: Path, output: Path | None) -> None:
     if output and output.exists() and output.resolve() == matrix.resolve():
         raise click.UsageError(f"--output {output} would overwrite the matrix; name another file")
-    from rosml.images.image_set import load, missing
+    from rosml.images.image_set import load, missing_locks
 
     image_set = load.load(matrix, ROOT)
-    contents, lost = generated(image_set, output), missing.lost(image_set)
+    contents, lost = generated(image_set, output), missing_locks.lost(image_set)
     if check:
         verify(contents, lost)
     else:

@@ -18,18 +18,20 @@ from rosml.cli.checkout import Command
 @options.MATRIX
 @options.JSON
 def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
-    """Lists all images, with their versions, platforms and tags. With GROUPs, lists the images that are in all of them.
+    """Lists all images, with their versions, platforms and tags. With GROUPs, lists the images that are in all of them. A word that
+    people use for it does as well: noble, rtx 4090, driver 550, libtorch, cv_bridge.
 
     \b
     Examples:
       rosml list
       rosml list ros1-trixie tensorflow --json
+      rosml list ubuntu 24.04 rtx 4090
     """
     from rosml.cli.images import tables
-    from rosml.images.image_set import load, selection
+    from rosml.images.image_set import load, search, selection
 
     image_set = load.load(matrix, ROOT)
-    images = selection.members(image_set, groups)
+    images = search.search(image_set, groups)
     if not images:
         terminal.echo(selection.none_in(image_set, groups), err=True)
     if as_json:

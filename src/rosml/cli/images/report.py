@@ -13,7 +13,7 @@ from rosml.base.problems import counted, listed, some
 from rosml.base.units import duration, size, time_taken
 from rosml.cli.images import tables
 from rosml.images.builds import disk
-from rosml.images.image_set.missing import UNLOCKED
+from rosml.images.image_set.missing_locks import UNLOCKED
 from rosml.images.image_set.model import Image
 from rosml.images.publish.plan import Plan
 from rosml.images.publish.run import Outcome, Run

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from rosml.base import github, terminal
 from rosml.base.problems import counted, some
 from rosml.base.terminal import Cell
-from rosml.images.image_set import missing
+from rosml.images.image_set import missing_locks
 from rosml.images.image_set.facts import facts
 from rosml.images.image_set.model import Image
 
@@ -66,7 +66,7 @@ CONTENT = 20
 
 def print_images(images: Sequence[Image]) -> None:
     """Prints images, a row each. In a narrow terminal, versions are cut, and the last columns are left out."""
-    from rosml.images.matrix.rules import NVIDIA
+    from rosml.images.matrix.combinations import NVIDIA
 
     columns = ["tag", "GB", "platforms", "content", "target"]
     rows: list[list[Cell]] = []
@@ -98,7 +98,7 @@ def print_unlocked(images: Collection[Image]) -> None:
     """Prints how many of some images lack a lock, with a line for each remedy."""
     lost = sum(bool(image.lost) for image in images)
     waiting = sum(not image.locked for image in images) - lost
-    for count, remedy in ((lost, missing.RESTORE), (waiting, missing.ASK_PYTORCH)):
+    for count, remedy in ((lost, missing_locks.RESTORE), (waiting, missing_locks.ASK_PYTORCH)):
         if count:
             text = f"{counted(count, 'image')} without a lock, which cannot be built yet: {remedy}"
             terminal.say(text, "yellow")

@@ -20,7 +20,7 @@ from rosml.images.join import label_claims
 from rosml.images.join.joiner import Joiner
 from rosml.images.join.layers import Source
 from rosml.images.join.transfer import Transfer
-from rosml.images.matrix import extends, names, rules
+from rosml.images.matrix import combinations, extends, names
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
 from rosml.images.matrix.patterns import NAME
 from rosml.images.matrix.validate import validate
@@ -214,7 +214,9 @@ class _Search:
         """Checks that an add-on works on the base image's operating system: a part for any Python does not say that."""
         matrix, onto = _matrix(), self._onto()
         stack = choice.stack or onto.stack
-        if onto.exists_in(matrix) and (reason := rules.system_reason(matrix, onto.distribution, stack, choice.addon)):
+        if onto.exists_in(matrix) and (
+            reason := combinations.system_reason(matrix, onto.distribution, stack, choice.addon)
+        ):
             remedy = f"{self.before}{image_addons.instead(matrix, onto, choice.addon)}"
             raise RosmlError(reason, remedy, exit_code=2)
 

@@ -13,10 +13,10 @@ from rosml.containerize.init import distribution, framework, libraries, synonyms
 from rosml.containerize.init.file_texts import INSTALLED
 from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, Wishes, settle
 from rosml.containerize.packages.manifest import Package
-from rosml.images.image_set import missing
+from rosml.images.image_set import missing_locks
 from rosml.images.image_set.expand import FLOATING
 from rosml.images.image_set.model import Image
-from rosml.images.matrix import names, rules
+from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import Matrix
 
 SHELL = "bash"
@@ -47,7 +47,7 @@ def decide(situation: Situation) -> Decision:
     image = situation.image_set.by_target[target]
     start = _command(situation, row.value)
     addons, addon_notes = libraries.addons(matrix, situation.scan, image)
-    unlocked = (f"{target} cannot be built yet: {missing.reason(image)}", missing.remedy(image))
+    unlocked = (f"{target} cannot be built yet: {missing_locks.reason(image)}", missing_locks.remedy(image))
     notes = (
         *distribution.notes(situation, row.value),
         *framework_notes,
@@ -78,13 +78,13 @@ def _understood(matrix: Matrix, wishes: Wishes) -> Wishes:
 
 def _component(situation: Situation, row: str) -> Choice:
     matrix, reason = situation.matrix, "the build installs what your packages need beyond it"
-    available = [name for name in matrix.distributions[row].components if not rules.only_runs(matrix, name)]
+    available = [name for name in matrix.distributions[row].components if not combinations.only_runs(matrix, name)]
 
     def read(answer: str) -> str:
         name = synonyms.component(matrix, answer)
         if name in available:
             return name
-        text = rules.component_reason(matrix, row, name) or f"{name} only runs programs that are built"
+        text = combinations.component_reason(matrix, row, name) or f"{name} only runs programs that are built"
         raise RosmlError(text, f"take {listed(available, 'or')}", exit_code=2)
 
     if (before := situation.before(row)) and before.component in available:

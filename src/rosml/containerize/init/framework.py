@@ -10,13 +10,13 @@ from rosml.containerize.init import synonyms
 from rosml.containerize.init.libraries import CUPY
 from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, settle
 from rosml.images.image_set import explain
-from rosml.images.matrix import names, rules
+from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import Matrix
 from rosml.run.plugins.gpu import numbers
 
 
 def choose(situation: Situation, distribution: str, component: str) -> tuple[Choice, list[Note]]:
-    matrix, plain, wish = situation.matrix, rules.plain(situation.matrix), situation.wishes.framework
+    matrix, plain, wish = situation.matrix, combinations.plain(situation.matrix), situation.wishes.framework
     available = [name for name in matrix.frameworks if name == plain or stacks(situation, distribution, name)]
 
     def read(answer: str) -> str:
@@ -55,7 +55,7 @@ def meant(matrix: Matrix, text: str) -> str:
 
 def needed(situation: Situation) -> Choice:
     """The smallest framework that brings what manifests and sources name."""
-    matrix, mentions, plain = situation.matrix, situation.scan.mentions, rules.plain(situation.matrix)
+    matrix, mentions, plain = situation.matrix, situation.scan.mentions, combinations.plain(situation.matrix)
     in_frameworks = {name for facts in matrix.frameworks.values() for name in facts.parts}
     titles = {part.name: part.title for part in matrix.parts if part.title and part.release}
     mentioned = {name: mentions[title] for name, title in titles.items() if title in mentions}
@@ -98,7 +98,7 @@ def choose_stack(situation: Situation, distribution: str, component: str, framew
             text = unknown("accelerator", name, matrix.stacks)
             raise RosmlError(text, f"take {listed(usable, 'or') or 'none'}; or --gpu or --cpu", exit_code=2)
         if name not in usable:
-            text = rules.stack_reason(matrix, distribution, framework, name) or f"{name} is not what you ask for"
+            text = combinations.stack_reason(matrix, distribution, framework, name) or f"{name} is not what you ask for"
             raise RosmlError(text, f"take {listed(usable, 'or')}", exit_code=2)
         return name
 
@@ -130,7 +130,8 @@ def stacks(situation: Situation, distribution: str, framework: str) -> list[str]
     usable = [
         name
         for name in matrix.stacks
-        if gpu in (None, situation.is_gpu(name)) and rules.stack_reason(matrix, distribution, framework, name) is None
+        if gpu in (None, situation.is_gpu(name))
+        and combinations.stack_reason(matrix, distribution, framework, name) is None
     ]
     return sorted(usable, key=lambda name: default.index(name) if name in default else len(default))
 

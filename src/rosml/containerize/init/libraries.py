@@ -11,7 +11,7 @@ from rosml.containerize import inputs as app_inputs
 from rosml.containerize.init.packages import FolderScan, Mention
 from rosml.containerize.init.situation import Note
 from rosml.images.image_set.model import Image
-from rosml.images.matrix import rules
+from rosml.images.matrix import combinations
 from rosml.images.matrix.model import Matrix
 
 CUPY, CUDA, OPENCV = "CuPy", "CUDA", "OpenCV"
@@ -53,8 +53,8 @@ def words(matrix: Matrix) -> dict[str, set[str]]:
 def keys_in_base(matrix: Matrix, image: Image, keys: Collection[str]) -> tuple[str, ...]:
     """Those of rosdep's keys that stand for Python packages which parts of an image bring, such as `python3-torch`; and for ROS packages
     that an image has as wheels."""
-    families = rules.families(matrix, matrix.frameworks[image.framework])
-    python = {*families, *rules.company(matrix, image.stack, families)}
+    families = combinations.families(matrix, matrix.frameworks[image.framework])
+    python = {*families, *combinations.company(matrix, image.stack, families)}
     python |= {part.title.lower() for part in matrix.parts if part.title and part.release in families}
     matches = {key: re.fullmatch(r"python3?-(.+?)(-gpu)?(-pip)?", key) for key in keys}
     wheels = set[str]()
@@ -102,6 +102,8 @@ def _addon_stack(matrix: Matrix, image: Image, addon: str, mention: Mention) -> 
     on_gpu = mention.word.lower().endswith("gpu")
     by_kind = sorted(matrix.stacks, key=lambda name: bool(matrix.stacks[name].cuda) != on_gpu)
     stacks = [image.stack] if image.stack else by_kind
-    reasons = {stack: rules.stack_reason(matrix, image.distribution, image.framework, stack, addon) for stack in stacks}
+    reasons = {
+        stack: combinations.stack_reason(matrix, image.distribution, image.framework, stack, addon) for stack in stacks
+    }
     stack = next((stack for stack, reason in reasons.items() if reason is None), "")
     return stack, next(filter(None, reasons.values()), "")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from rosml.images.matrix import names, rules
+from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import Matrix
 
 NOTHING = ("none", "no", "nothing", "without", "-")
@@ -42,7 +42,7 @@ def component(matrix: Matrix, word: str) -> str:
 def frameworks(matrix: Matrix, text: str) -> list[str]:
     """The frameworks that a text means: `PyTorch`, `tensorflow2`, `torch and tf`, `no`. Each word as it is if it means none."""
     words = [word for word in re.split(r"[\s,+&]+", text.strip()) if word.lower() not in ("", "and")]
-    return [rules.plain(matrix) if word.lower() in NOTHING else names.our_word(matrix, word) for word in words]
+    return [combinations.plain(matrix) if word.lower() in NOTHING else names.our_word(matrix, word) for word in words]
 
 
 def stack(matrix: Matrix, word: str, stacks: Sequence[str]) -> str:

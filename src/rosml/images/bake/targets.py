@@ -11,9 +11,9 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-from rosml.images.image_set import labels, missing
+from rosml.images.image_set import labels, missing_locks
 from rosml.images.image_set.model import PARTS, Image, ImageSet, Part
-from rosml.images.matrix import names, rules
+from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import Matrix
 
 EPOCH = "1767225600"
@@ -115,7 +115,7 @@ def _targets(image_set: ImageSet) -> Iterator[tuple[str, Target]]:
         platforms = tuple(matrix.architectures[name].platform for name in facts.architectures)
         arguments = {**_common(), "NUMPY": facts.numpy}
         for runtime in sorted(
-            {rules.only_runs(matrix, image.component) for image in image_set.images if image.os == os}
+            {combinations.only_runs(matrix, image.component) for image in image_set.images if image.os == os}
         ):
             image_arguments = {**arguments, "RUNTIME": "true"} if runtime else arguments
             yield names.os_target(os, runtime), Target("base", {"os": _system(matrix, os)}, image_arguments, platforms)
@@ -156,7 +156,7 @@ def _ros(image_set: ImageSet, image: Image) -> Target:
     arguments: dict[str, Value] = {**_common(), "ROS_DISTRO": image.ros_distro, "ROS_VERSION": str(image.ros)}
     if image.packages:
         arguments["ROS_PACKAGES"] = image.packages
-    if rules.only_runs(matrix, image.component):
+    if combinations.only_runs(matrix, image.component):
         arguments["RUNTIME"] = "true"
     if parent is None and (first := tools(matrix, image)):
         arguments["ROS_TOOLS"] = first
@@ -189,12 +189,12 @@ def apt_arguments(matrix: Matrix, name: str) -> dict[str, str]:
         "ROS_CHANNEL": apt.channel,
         "ROS_SNAPSHOT": apt.date.isoformat() if apt.date else "",
         "ROS_CODENAME": matrix.operating_systems[matrix.distributions[name].os].codename or "",
-        "ROS_LIVE_ADDRESS": rules.ros_live(matrix, name),
-        "ROS_SNAPSHOT_ADDRESS": rules.ros_snapshot(matrix, name, "{day}"),
+        "ROS_LIVE_ADDRESS": combinations.ros_live(matrix, name),
+        "ROS_SNAPSHOT_ADDRESS": combinations.ros_snapshot(matrix, name, "{day}"),
     }
     others = {
-        "ROS_TESTING_ADDRESS": rules.ros_testing(matrix, name),
-        "ROS_APT_SOURCE": rules.ros_apt_source(matrix, name),
+        "ROS_TESTING_ADDRESS": combinations.ros_testing(matrix, name),
+        "ROS_APT_SOURCE": combinations.ros_apt_source(matrix, name),
     }
     return facts | {name: fact for name, fact in others.items() if fact}
 
@@ -204,12 +204,12 @@ def tools(matrix: Matrix, image: Image) -> str:
     distribution = matrix.distributions[image.distribution]
     tools = distribution.tools or matrix.operating_systems[distribution.os].tools
     added = [f"ros-{image.ros_distro}-{rmw.replace('_', '-')}" for rmw in distribution.rmw]
-    return " ".join(added if rules.only_runs(matrix, image.component) else [tools, *added])
+    return " ".join(added if combinations.only_runs(matrix, image.component) else [tools, *added])
 
 
 def unlocked(image: Image) -> str:
     """The message about a target that cannot be built yet; empty if it can."""
-    return "" if image.locked else f"cannot be built yet: no lock; {missing.remedy(image)}"
+    return "" if image.locked else f"cannot be built yet: no lock; {missing_locks.remedy(image)}"
 
 
 def _joined(image_set: ImageSet, image: Image) -> Target:
@@ -228,7 +228,7 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
     variable = names.os_variable(image.os)
     distribution = matrix.distributions[image.distribution]
     stack = matrix.stacks[image.stack] if image.stack else None
-    kinds = rules.parts(matrix, matrix.carrying(image.framework, *image.addons), stack) if stack else ()
+    kinds = combinations.parts(matrix, matrix.carrying(image.framework, *image.addons), stack) if stack else ()
     kind = labels.ImageKind(
         image.distribution, image.component, str(image.ros), image.framework, image.stack, image.addons
     )
@@ -247,7 +247,7 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         **labels.about_gpus(image.gpu),
         **labels.about_image(kind, image.brought),
     }
-    if runtime := rules.runtime(matrix, image.distribution, image.component):
+    if runtime := combinations.runtime(matrix, image.distribution, image.component):
         labels_of_image[labels.RUNTIME] = runtime
     if matrix.source:
         labels_of_image[labels.SOURCE] = matrix.source
@@ -276,25 +276,25 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
         "WHEEL_PYTHON": matrix.operating_systems[part.os].python,
         "ACCELERATOR": matrix.stacks[part.stack].accelerator,
     }
-    if glibc := rules.glibc(matrix, part.stack, part.kind):
+    if glibc := combinations.glibc(matrix, part.stack, part.kind):
         arguments["GLIBC"] = glibc
     if slot := matrix.part[part.kind].slot:
         arguments["SLOT"] = f"{slot:02}"
-    if index := rules.index(matrix, part.stack, part.kind):
+    if index := combinations.index(matrix, part.stack, part.kind):
         arguments["INDEX"] = index
-    shown = rules.shown(matrix, part.kind)
+    shown = combinations.shown(matrix, part.kind)
     if shown and matrix.part[shown].accelerator in (None, matrix.stacks[part.stack].accelerator):
         arguments["SHOWS"] = shown
     taking = {
         name: [matrix.part[kind] for kind in kinds]
-        for name, kinds in rules.frameworks(matrix, part.stack).items()
+        for name, kinds in combinations.frameworks(matrix, part.stack).items()
         if part.kind in kinds
     }
-    brought = rules.brought(matrix, [part.kind], matrix.stacks[part.stack])
-    gpu = rules.gpu(matrix, part.stack, [part.kind])
+    brought = combinations.brought(matrix, [part.kind], matrix.stacks[part.stack])
+    gpu = combinations.gpu(matrix, part.stack, [part.kind])
     adding = {
         name: [matrix.part[kind] for kind in kinds]
-        for name, kinds in rules.addons(matrix, part.stack).items()
+        for name, kinds in combinations.addons(matrix, part.stack).items()
         if part.kind in matrix.addons[name].parts
     }
     part_labels = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking, adding)
@@ -310,7 +310,7 @@ def _expected(image_set: ImageSet, image: Image) -> str:
     packages: dict[str, str] = {}
     ros: Image | None = image
     while ros:
-        if ros.packages and not rules.only_runs(image_set.matrix, ros.component):
+        if ros.packages and not combinations.only_runs(image_set.matrix, ros.component):
             packages[f"packages_{ros.component.replace('-', '_')}"] = ros.packages.replace(" ", ",")
         ros = image_set.by_target.get(ros.parent)
     facts = {"os": image.os, "python": image.python, "ros": str(image.ros), "ros_distro": image.ros_distro}
@@ -320,7 +320,7 @@ def _expected(image_set: ImageSet, image: Image) -> str:
         facts["wheels"] = wheels(distribution.wheels)
     if families := image_set.matrix.families:
         facts["releases"] = ",".join(families)
-    company = rules.company(image_set.matrix, image.stack, image.versions)
+    company = combinations.company(image_set.matrix, image.stack, image.versions)
     gpu = {f"gpu_{re.sub('[.-]', '_', name)}": value.replace(" ", ",") for name, value in image.gpu.items()}
     facts |= {**dict(reversed(packages.items())), **image.versions, **company, **gpu}
     return " ".join(f"{name}={fact}" for name, fact in facts.items())

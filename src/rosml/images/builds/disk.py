@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from rosml.base.errors import RosmlError
 from rosml.images.image_set.model import Image, ImageSet, Part
-from rosml.images.matrix import rules
+from rosml.images.matrix import combinations
 
 if TYPE_CHECKING:  # the pictures of docs/ need the forecast alone
     from rosml.machine.services import Services
@@ -47,7 +47,7 @@ def _ros_images(image_set: ImageSet, image: Image) -> Iterator[tuple[str, int, i
     above: Image | None = image_set.by_target[image.parent if image.stack else image.target]
     while above:
         below = image_set.by_target.get(above.parent)
-        base = below.disk if below else rules.system_size(image_set.matrix, above.component)
+        base = below.disk if below else combinations.system_size(image_set.matrix, above.component)
         yield above.target, above.disk.unpacked - base.unpacked, above.disk.compressed - base.compressed
         if not below:
             yield above.parent, base.unpacked, base.compressed

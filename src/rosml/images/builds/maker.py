@@ -20,7 +20,7 @@ from rosml.images.builds import base_images, contents, disk, package_state, stru
 from rosml.images.builds.part import PartBuilder
 from rosml.images.builds.push import push, push_together, pushing, write_excerpt
 from rosml.images.builds.variables import base, sync_dates, variables
-from rosml.images.image_set import missing
+from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
 from rosml.images.image_set.restricted import Declared
 from rosml.images.join.joiner import Joiner
@@ -74,9 +74,9 @@ def require_buildable(image: Image, architecture: str) -> None:
     """Checks, before anything is set up, that an image can be built for an architecture."""
     # Tags cover all platforms, and need all locks. A build for another platform needs only its own lock.
     native = base_images.native_architecture()
-    if missing.on(image, architecture) or (image.unlocked and architecture == native):
-        text = f"{image.target} cannot be built yet: {missing.reason(image)}"
-        raise RosmlError(text, missing.remedy(image), exit_code=2)
+    if missing_locks.on(image, architecture) or (image.unlocked and architecture == native):
+        text = f"{image.target} cannot be built yet: {missing_locks.reason(image)}"
+        raise RosmlError(text, missing_locks.remedy(image), exit_code=2)
     if architecture not in image.architectures:
         raise RosmlError(
             f"{image.target} exists for {listed(image.architectures)} only"

@@ -11,7 +11,7 @@ from typing import Annotated, Literal
 from pydantic import ConfigDict, Field
 
 from rosml.base.shapes import Shape
-from rosml.images.image_set import missing
+from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image as MatrixImage
 from rosml.images.matrix.patterns import DIGEST
 from rosml.images.scan.policy import ADVISORY, LONGEST, Severity
@@ -259,4 +259,4 @@ def status(image: MatrixImage, built: bool) -> tuple[Status, str]:
     """Whether an image was built, tested and published (`built`), and if not, why."""
     if built:
         return "built", ""
-    return "not built", missing.reason(image) if image.unlocked else "no publishing run has built it yet"
+    return "not built", missing_locks.reason(image) if image.unlocked else "no publishing run has built it yet"

@@ -23,12 +23,11 @@ from rosml.images.catalogue.model import (
     Taken,
     status,
 )
-from rosml.images.catalogue.words import words
-from rosml.images.image_set import addons
+from rosml.images.image_set import addons, search
 from rosml.images.image_set import model as sets
 from rosml.images.image_set.model import repository_of, tags_of
 from rosml.images.image_set.selection import select
-from rosml.images.matrix import rules
+from rosml.images.matrix import combinations
 from rosml.images.matrix.names import DATED, our_words
 from rosml.registry.place import Place
 
@@ -127,12 +126,12 @@ class Gatherer:
                 item.called: Taken(addon=item.addon, parts=item.parts, platforms=item.platforms)
                 for item in addons.fitting(matrix, image)
             },
-            only_runs=rules.only_runs(matrix, image.component),
+            only_runs=combinations.only_runs(matrix, image.component),
             platforms=image.platforms,
             promised=image.versions,
             promised_tags=tuple(tags_of(image)),
             gpu=image.gpu,
-            search=words(self.image_set, image),
+            search=search.words(self.image_set, image),
             status=state,
             reason=reason,
         )

@@ -7,9 +7,9 @@ from collections.abc import Iterator
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
-from rosml.images.image_set import missing
+from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix import names, rules
+from rosml.images.matrix import combinations, names
 
 BEGIN = "<!-- images: written by rosml generate -->"
 END = "<!-- /images -->"
@@ -72,7 +72,7 @@ def _unlocked(image_set: ImageSet) -> Iterator[str]:
     for image in lacking:
         rows.setdefault(f"{image.repository}:<d>-<c>-{image.stack}", {})[image.distribution] = None
     if lacking:
-        remedies = listed(list(dict.fromkeys(missing.remedy(image) for image in lacking)))
+        remedies = listed(list(dict.fromkeys(missing_locks.remedy(image) for image in lacking)))
         remedies = remedies.replace("'rosml locks'", "`rosml locks`")
         yield from ("", f"These have no lock yet, and cannot be built before you {remedies}:", "")
         yield from (f"- `{tag}`: {listed(list(distributions))}" for tag, distributions in rows.items())
@@ -119,7 +119,9 @@ def _addons(image_set: ImageSet) -> Iterator[str]:
         rows: dict[tuple[str, str, str], list[str]] = {}
         for stack, facts in matrix.stacks.items():
             parts = [part for part in image_set.parts if (part.kind, part.stack) == (main.name, stack)]
-            brings = ", ".join(f"{item.title} {item.version}" for item in rules.brought(matrix, [main.name], facts))
+            brings = ", ".join(
+                f"{item.title} {item.version}" for item in combinations.brought(matrix, [main.name], facts)
+            )
             pythons = sorted({part.python for part in parts}, key=lambda text: [*map(int, re.findall("[0-9]+", text))])
             platforms = dict.fromkeys(platform for part in parts for platform in part.platforms)
             if parts:
@@ -138,7 +140,7 @@ def _content(image_set: ImageSet, image: Image) -> str:
 
 def _abi(image_set: ImageSet, image: Image) -> str:
     matrix = image_set.matrix
-    for family in rules.families(matrix, matrix.carrying(image.framework, *image.addons)):
+    for family in combinations.families(matrix, matrix.carrying(image.framework, *image.addons)):
         if not matrix.releases[family][image.versions[family]].cxx11_abi:
             return " (old C++ ABI on amd64: not in one program with ROS's libraries)"
     return ""

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, some, unknown
 from rosml.images.image_set.model import PARTS, Image
-from rosml.images.matrix import names, rules
+from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
 
 
@@ -48,10 +48,12 @@ def fitting(matrix: Matrix, image: Image) -> Iterator[Fitting]:
     for stack in [image.stack] if image.stack else [*matrix.stacks]:
         for addon in matrix.addons:
             place = image.distribution, image.framework, stack
-            if addon in image.addons or rules.stack_reason(matrix, *place, addon):
+            if addon in image.addons or combinations.stack_reason(matrix, *place, addon):
                 continue
-            architectures = [name for name in rules.architectures(matrix, *place, addon) if name in image.architectures]
-            kinds = rules.parts(matrix, matrix.carrying(image.framework, addon), matrix.stacks[stack])
+            architectures = [
+                name for name in combinations.architectures(matrix, *place, addon) if name in image.architectures
+            ]
+            kinds = combinations.parts(matrix, matrix.carrying(image.framework, addon), matrix.stacks[stack])
             entries = [matrix.part[kind] for kind in kinds]
             parts = [names.part_name(x.name, stack, ANY_PYTHON if x.any_python else image.python) for x in entries]
             if architectures:
@@ -118,7 +120,7 @@ def refused(matrix: Matrix, onto: Onto, name: str) -> RosmlError | None:
         text = f"{onto.name} is of stack {onto.stack}, and takes no add-on of {stack}"
     elif stack not in matrix.stacks:
         text = unknown("stack", stack, matrix.stacks).partition("; ")[0]
-    elif reason := rules.stack_reason(matrix, onto.distribution, onto.framework, stack, addon.addon):
+    elif reason := combinations.stack_reason(matrix, onto.distribution, onto.framework, stack, addon.addon):
         text = f"{onto.name} cannot have the add-on {addon.addon} of stack {stack}: {reason}"
     return RosmlError(text, instead(matrix, onto, addon.addon), exit_code=2) if text else None
 
@@ -135,7 +137,7 @@ def instead(matrix: Matrix, onto: Onto, addon: str) -> str:
         called = f"--addons {listed([f'{addon}-{stack}' for stack in stacks[:SHOWN]], last='or')}"
         other = f"take {_tag(matrix, onto, onto.framework, '')}, with {called}"
         return other if onto.stack else f"name a stack that has it: {called}"
-    bare = rules.plain(matrix)
+    bare = combinations.plain(matrix)
     if stacks := stacks_for(matrix, onto.distribution, bare, addon):
         return (
             f"it goes without {onto.framework}: take {_tag(matrix, onto, bare, '')}, with --addons {addon}-{stacks[0]}"
@@ -146,7 +148,9 @@ def instead(matrix: Matrix, onto: Onto, addon: str) -> str:
 
 def stacks_for(matrix: Matrix, distribution: str, framework: str, addon: str) -> list[str]:
     """The stacks on which a distribution can have an add-on, beside a framework."""
-    reasons = {stack: rules.stack_reason(matrix, distribution, framework, stack, addon) for stack in matrix.stacks}
+    reasons = {
+        stack: combinations.stack_reason(matrix, distribution, framework, stack, addon) for stack in matrix.stacks
+    }
     return [stack for stack, reason in reasons.items() if reason is None]
 
 
@@ -169,7 +173,7 @@ def parts(matrix: Matrix, distribution: str, addon: str, stack: str, present: Co
     """The names of an add-on's parts and of those that they need, in the order of a join. `present` has parts of the image, without a
     stack: `common`."""
     python = matrix.operating_systems[matrix.distributions[distribution].os].python
-    kinds = rules.parts(matrix, matrix.carrying(rules.plain(matrix), addon), matrix.stacks[stack])
+    kinds = combinations.parts(matrix, matrix.carrying(combinations.plain(matrix), addon), matrix.stacks[stack])
     return [
         names.part_name(kind, stack, ANY_PYTHON if matrix.part[kind].any_python else python)
         for kind in kinds
@@ -179,8 +183,8 @@ def parts(matrix: Matrix, distribution: str, addon: str, stack: str, present: Co
 
 def described(matrix: Matrix, addon: str, stack: str) -> Iterator[str]:
     """Lines about an add-on on a stack: which distributions can have it, and why others cannot."""
-    bare = rules.plain(matrix)
-    reasons = {row: rules.stack_reason(matrix, row, bare, stack, addon) for row in matrix.distributions}
+    bare = combinations.plain(matrix)
+    reasons = {row: combinations.stack_reason(matrix, row, bare, stack, addon) for row in matrix.distributions}
     if can := [row for row, reason in reasons.items() if reason is None]:
         yield f"images of {listed(can)} can have it"
     why = {reason: [row for row in reasons if reasons[row] == reason] for reason in reasons.values() if reason}

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from datetime import date
 
 from rosml.base.errors import RosmlError
-from rosml.images.matrix import rules
+from rosml.images.matrix import combinations
 from rosml.images.matrix.model import Matrix
 
 CHANNELS = ("live", "testing", "snapshot", "final")
@@ -56,8 +56,8 @@ def of(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -> Ap
         text = f"{name} gets updates until {distribution.eol or 'further notice'}: it has no final snapshot yet"
         raise RosmlError(text, "take CHANNEL=snapshot and a day", exit_code=2)
     codename = matrix.operating_systems[distribution.os].codename or ""
-    addresses = {"live": rules.ros_live(matrix, name), "testing": rules.ros_testing(matrix, name)}
-    address = addresses.get(channel) or rules.ros_snapshot(matrix, name, day or channel)
+    addresses = {"live": combinations.ros_live(matrix, name), "testing": combinations.ros_testing(matrix, name)}
+    address = addresses.get(channel) or combinations.ros_snapshot(matrix, name, day or channel)
     if channel == "testing" and not addresses["testing"]:
         text = "ROS's testing repository has no address"
         raise RosmlError(text, "add 'testing: …' to ros_archive in matrix.yaml", exit_code=2)

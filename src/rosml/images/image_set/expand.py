@@ -8,9 +8,9 @@ from functools import cached_property
 
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image, ImageSet, Part, Wheels
-from rosml.images.matrix import names, rules
+from rosml.images.matrix import combinations, names
+from rosml.images.matrix.combinations import Brought
 from rosml.images.matrix.model import ANY_PYTHON, Distribution, Framework, Matrix
-from rosml.images.matrix.rules import Brought
 from rosml.images.matrix.sizes import Size
 
 
@@ -84,7 +84,7 @@ def places(matrix: Matrix) -> Iterator[Place]:
     for name, distribution in matrix.distributions.items():
         for framework, facts in matrix.frameworks.items():
             for stack in matrix.stacks if facts.parts else (None,):
-                if rules.stack_reason(matrix, name, framework, stack) is None:
+                if combinations.stack_reason(matrix, name, framework, stack) is None:
                     kind = _kind(matrix, name, framework, stack)
                     for component in matrix.components:
                         if component in distribution.present:
@@ -96,14 +96,14 @@ def places(matrix: Matrix) -> Iterator[Place]:
 def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Place]:
     """The images with an add-on: those that get tags, and those that test it. The latter have the lowest component of the distribution of
     each Python that is supported longest, and of those whose images get tags."""
-    entry, bare = matrix.addons[addon], rules.plain(matrix)
+    entry, bare = matrix.addons[addon], combinations.plain(matrix)
     tagged = entry.tags
     for stack in matrix.stacks:
         seen: set[tuple[str, str]] = set()
         for name, distribution in _lasting(matrix):
             python = matrix.operating_systems[distribution.os].python
             for framework in (bare, *entry.beside):
-                if rules.stack_reason(matrix, name, framework, stack, addon):
+                if combinations.stack_reason(matrix, name, framework, stack, addon):
                     continue
                 kind = _kind(matrix, name, framework, stack, addon)
                 alone = framework == bare
@@ -118,7 +118,7 @@ def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Plac
                         yield _place(matrix, kind, component, latest, tagged_component)
 
 
-@rules.remembered
+@combinations.remembered
 def _lasting(matrix: Matrix) -> list[tuple[str, Distribution]]:
     """The distributions, those that are supported longest first; the order of the matrix does not count."""
 
@@ -129,37 +129,39 @@ def _lasting(matrix: Matrix) -> list[tuple[str, Distribution]]:
     return sorted(matrix.distributions.items(), key=worth, reverse=True)
 
 
-@rules.remembered
+@combinations.remembered
 def _lowest(matrix: Matrix, name: str) -> list[str]:
     """The components of a distribution that stand on no other one and build programs; in all distributions but those without it,
     there is one."""
     present = matrix.distributions[name].present
-    links = [link for link in matrix.components if link in present and not rules.only_runs(matrix, link)]
+    links = [link for link in matrix.components if link in present and not combinations.only_runs(matrix, link)]
     return [link for link in links if len(_chain(matrix, name, link)) == 1]
 
 
-@rules.remembered
+@combinations.remembered
 def _kind(matrix: Matrix, name: str, framework: str, stack: str | None, addon: str = "") -> Kind:
     facts = matrix.carrying(framework, addon)
-    architectures = rules.architectures(matrix, name, framework, stack, addon)
+    architectures = combinations.architectures(matrix, name, framework, stack, addon)
     platforms = tuple(matrix.architectures[architecture].platform for architecture in architectures)
     if stack is None:
         return Kind(name, framework, facts, None, architectures, platforms)
     python = matrix.operating_systems[matrix.distributions[name].os].python
-    kinds = rules.parts(matrix, facts, matrix.stacks[stack])
+    kinds = combinations.parts(matrix, facts, matrix.stacks[stack])
     parts = tuple(_part(matrix, kind, stack, python, architectures) for kind in kinds)
     more = {
-        other: rules.parts(matrix, entry, matrix.stacks[stack])
+        other: combinations.parts(matrix, entry, matrix.stacks[stack])
         for other, entry in matrix.frameworks.items()
         if not addon
-        and rules.stack_reason(matrix, name, other, stack) is None
-        and set(architectures) <= set(rules.architectures(matrix, name, other, stack))
+        and combinations.stack_reason(matrix, name, other, stack) is None
+        and set(architectures) <= set(combinations.architectures(matrix, name, other, stack))
     }
     covering = sorted((other for other in more if set(kinds) < set(more[other])), key=lambda other: -len(more[other]))
-    release_versions = rules.versions(matrix, matrix.stacks[stack])
-    versions = {name: release_versions[name] for name in rules.counted(matrix, facts) if name in release_versions}
-    brought = rules.brought(matrix, kinds, matrix.stacks[stack])
-    short = stack == rules.default_stack(matrix, name, framework, addon)
+    release_versions = combinations.versions(matrix, matrix.stacks[stack])
+    versions = {
+        name: release_versions[name] for name in combinations.counted(matrix, facts) if name in release_versions
+    }
+    brought = combinations.brought(matrix, kinds, matrix.stacks[stack])
+    short = stack == combinations.default_stack(matrix, name, framework, addon)
     return Kind(
         name,
         framework,
@@ -173,7 +175,7 @@ def _kind(matrix: Matrix, name: str, framework: str, stack: str | None, addon: s
         tuple(covering),
         short,
         addon,
-        rules.gpu(matrix, stack, kinds),
+        combinations.gpu(matrix, stack, kinds),
     )
 
 
@@ -191,7 +193,7 @@ def _image(matrix: Matrix, place: Place) -> Image:
     distribution = matrix.distributions[name]
     chain = _chain(matrix, name, component)
     ros_image = names.image_target(name, component)
-    runtime = rules.only_runs(matrix, component)
+    runtime = combinations.only_runs(matrix, component)
     below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os, runtime)
     groups = [name, component, kind.addon or kind.framework, *([kind.stack] if kind.stack else []), "all"]
     tests = _tests(matrix, name, component, kind)
@@ -226,7 +228,7 @@ def _image(matrix: Matrix, place: Place) -> Image:
         carriers=tests.carriers,
         locks=(*(lock for item in wheels for lock in item.locks), *kind.locks),
         disk=Size.total(
-            rules.system_size(matrix, component),
+            combinations.system_size(matrix, component),
             *(matrix.disk.components[link] for link in chain),
             *(part.disk for part in kind.parts),
         ),
@@ -241,7 +243,7 @@ def _budgeted(matrix: Matrix, kind: Kind) -> tuple[str, ...]:
     """The parts that a budget counts. What frameworks have is in theirs, so that the one of an add-on holds beside any of them."""
     if not kind.addon or not kind.stack:
         return kind.part_names
-    others = {part for parts in rules.frameworks(matrix, kind.stack).values() for part in parts}
+    others = {part for parts in combinations.frameworks(matrix, kind.stack).values() for part in parts}
     return tuple(part.name for part in kind.parts if part.kind not in others)
 
 
@@ -272,7 +274,7 @@ def carriers(matrix: Matrix, place: Place) -> tuple[str, ...]:
 
 def _tests(matrix: Matrix, name: str, component: str, kind: Kind) -> _Tests:
     distribution = matrix.distributions[name]
-    ros, runtime = f"ros{distribution.ros}", rules.only_runs(matrix, component)
+    ros, runtime = f"ros{distribution.ros}", combinations.only_runs(matrix, component)
     entries = [matrix.part[part.kind] for part in kind.parts]
     of_image = ["contract", "runtime" if runtime else "tools"]
     of_image += [f"{ros}-wheels"] if distribution.wheels else [ros, f"{ros}-beside"]
@@ -294,9 +296,9 @@ def _tests(matrix: Matrix, name: str, component: str, kind: Kind) -> _Tests:
     return _Tests((*of_image, *of_ros[len(below) :]), tuple(below), (*carried, *workspace, "pip"), carriers)
 
 
-@rules.remembered
+@combinations.remembered
 def _chain(matrix: Matrix, name: str, component: str) -> tuple[str, ...]:
-    return tuple(link for link in rules.chain(matrix, component) if link in matrix.distributions[name].present)
+    return tuple(link for link in combinations.chain(matrix, component) if link in matrix.distributions[name].present)
 
 
 def _packages(matrix: Matrix, name: str, distribution: Distribution, component: str) -> str:
@@ -333,7 +335,7 @@ def _latest(matrix: Matrix) -> str | None:
 
 def _has_every_framework(matrix: Matrix, name: str) -> bool:
     return all(
-        any(rules.stack_reason(matrix, name, framework, stack) is None for stack in matrix.stacks)
+        any(combinations.stack_reason(matrix, name, framework, stack) is None for stack in matrix.stacks)
         for framework, facts in matrix.frameworks.items()
         if facts.parts
     )
@@ -341,7 +343,7 @@ def _has_every_framework(matrix: Matrix, name: str) -> bool:
 
 def _wheels(matrix: Matrix) -> Iterator[Wheels]:
     for name in matrix.distributions:
-        yield from _wheels_of(matrix, name, rules.built_for(matrix, name))
+        yield from _wheels_of(matrix, name, combinations.built_for(matrix, name))
 
 
 def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tuple[Wheels, ...]:
@@ -352,7 +354,7 @@ def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tup
     return (wheels,) if distribution.wheels else ()
 
 
-@rules.remembered
+@combinations.remembered
 def _part(matrix: Matrix, kind: str, stack: str, python: str, architectures: tuple[str, ...]) -> Part:
     any_python = matrix.part[kind].any_python
     pythons = _pythons(matrix, kind, stack) if any_python else (python,)

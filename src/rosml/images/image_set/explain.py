@@ -11,10 +11,10 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some, unknown
-from rosml.images.image_set import addons, apt_repository, missing
+from rosml.images.image_set import addons, apt_repository, missing_locks
 from rosml.images.image_set.expand import FLOATING
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix import names, rules
+from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
 
 
@@ -88,7 +88,7 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
         text = f"{name}: a group of {counted(len(image_set.groups[name]), 'target')}; see them with: {listed_by}"
         return Explained(name, True, (text,))
     if members := [image for image in image_set.images if name in image.groups]:
-        text = f"{name}: a group of no targets: none of its images has a lock; {missing.remedy(members[0])}"
+        text = f"{name}: a group of no targets: none of its images has a lock; {missing_locks.remedy(members[0])}"
         return Explained(name, True, (text,))
     if reason := why_not(image_set, name):
         return Explained(name, False, (reason,))
@@ -112,8 +112,8 @@ def _no_part(matrix: Matrix, name: str) -> str | None:
         for row, facts in matrix.distributions.items():
             if name == names.part_name(kind, stack, matrix.operating_systems[facts.os].python):
                 takers = [(item, "") for item, it in matrix.frameworks.items() if kind in it.parts]
-                takers += [(rules.plain(matrix), item) for item, it in matrix.addons.items() if kind in it.parts]
-                reasons = [rules.stack_reason(matrix, row, framework, stack, item) for framework, item in takers]
+                takers += [(combinations.plain(matrix), item) for item, it in matrix.addons.items() if kind in it.parts]
+                reasons = [combinations.stack_reason(matrix, row, framework, stack, item) for framework, item in takers]
                 why = "; ".join(dict.fromkeys(filter(None, reasons)))
                 return f"there is no part {name}: {why}." if why and None not in reasons else None
     return None
@@ -141,7 +141,7 @@ def with_addons(matrix: Matrix, image: Image, name: str, addon_names: Sequence[s
     lines += [f"the licence of {listed(held)} keeps the result out of public registries"] if held else []
     for architecture, addon in product(image.architectures, (item.addon for item in read)):
         place = image.distribution, image.framework, stack, architecture, addon
-        if reason := rules.architecture_reason(matrix, *place):
+        if reason := combinations.architecture_reason(matrix, *place):
             lines.append(f"not for {architecture}: {reason}")
     return Explained(name, True, tuple(lines), can_have(name, addon_names))
 
@@ -194,13 +194,13 @@ def _with_addon(matrix: Matrix, name: str) -> str | None:
     """Why there is no image with an add-on: the stack cannot have it, or it is joined to an image; None if the name has no add-on."""
     for addon in matrix.addons:
         short = re.sub(rf"-{addon}(?=-|:|$)", "", name)
-        bare = re.sub(rf"(?<=-){addon}-(?={'|'.join(matrix.stacks)}$)", f"{rules.plain(matrix)}-", name)
+        bare = re.sub(rf"(?<=-){addon}-(?={'|'.join(matrix.stacks)}$)", f"{combinations.plain(matrix)}-", name)
         for reading in (item for text in (short, bare) if text != name for item in _readings(matrix, text)):
             row, component, framework, stack = reading.distribution, reading.component, reading.framework, reading.stack
-            if reason := rules.component_reason(matrix, row, component):
+            if reason := combinations.component_reason(matrix, row, component):
                 return f"{name} does not exist: {reason}."
             stacks = [stack] if stack else [*matrix.stacks]
-            reasons = {item: rules.stack_reason(matrix, row, framework, item, addon) for item in stacks}
+            reasons = {item: combinations.stack_reason(matrix, row, framework, item, addon) for item in stacks}
             if not (possible := [item for item, reason in reasons.items() if reason is None]):
                 why = "; ".join(dict.fromkeys(reason for reason in reasons.values() if reason))
                 onto = addons.Onto(name, row, component, framework, "")
@@ -227,8 +227,8 @@ def _not_chosen(matrix: Matrix, base: Matrix, name: str) -> str | None:
             *(() if reading.framework in matrix.frameworks else [f"the framework {reading.framework}"]),
             *([f"the stack {stack}"] if stack and stack not in matrix.stacks else ()),
         ]
-        reason = rules.component_reason(base, row, component) or _stack_reason(base, reading)
-        if left_out and not rules.component_reason(base, row, component):
+        reason = combinations.component_reason(base, row, component) or _stack_reason(base, reading)
+        if left_out and not combinations.component_reason(base, row, component):
             end = f", and is not in rosml either: {reason}." if reason else "; it is in rosml: name it in set.yaml."
             return f"{name} does not exist in this set, which does not choose {listed(left_out)}{end}"
     return None
@@ -238,7 +238,7 @@ def _stack_reason(matrix: Matrix, reading: Wanted) -> str | None:
     """Why no stack that a name can mean carries the framework."""
     several = matrix.frameworks[reading.framework].parts and not reading.stack
     stacks = tuple(matrix.stacks) if several else (reading.stack,)
-    reasons = [rules.stack_reason(matrix, reading.distribution, reading.framework, stack) for stack in stacks]
+    reasons = [combinations.stack_reason(matrix, reading.distribution, reading.framework, stack) for stack in stacks]
     return None if None in reasons else "; ".join(dict.fromkeys(filter(None, reasons)))
 
 
@@ -260,18 +260,16 @@ def image(image_set: ImageSet, name: str) -> Image:
 
 def _reason(image_set: ImageSet, name: str, reading: Wanted) -> str | None:
     matrix = image_set.matrix
-    if reason := rules.component_reason(matrix, reading.distribution, reading.component):
+    if reason := combinations.component_reason(matrix, reading.distribution, reading.component):
         base = image_set.base if image_set.base and reading.distribution in image_set.base.distributions else matrix
-        return (
-            f"{name} does not exist: {rules.component_reason(base, reading.distribution, reading.component) or reason}."
-        )
+        return f"{name} does not exist: {combinations.component_reason(base, reading.distribution, reading.component) or reason}."
     row, facts = reading.distribution, matrix.frameworks[reading.framework]
     if reading.stack or not facts.parts:
-        if reason := rules.stack_reason(matrix, row, reading.framework, reading.stack):
+        if reason := combinations.stack_reason(matrix, row, reading.framework, reading.stack):
             return f"{name} does not exist: {reason}."
         target = names.image_target(reading.distribution, reading.component, reading.framework, reading.stack)
         if ":" in name and target in image_set.by_target:
-            stack = rules.default_stack(matrix, row, reading.framework)
+            stack = combinations.default_stack(matrix, row, reading.framework)
             why = (
                 f"short ones are for stack {stack} alone"
                 if stack
@@ -279,7 +277,7 @@ def _reason(image_set: ImageSet, name: str, reading: Wanted) -> str | None:
             )
             return f"there is no tag {name}: {why}; take {image_set.by_target[target].tags[0]}."
         return f"{name} is called {target}."
-    reasons = {stack: rules.stack_reason(matrix, row, reading.framework, stack) for stack in matrix.stacks}
+    reasons = {stack: combinations.stack_reason(matrix, row, reading.framework, stack) for stack in matrix.stacks}
     image = reading.distribution, reading.component, reading.framework
     if targets := [names.image_target(*image, stack) for stack, reason in reasons.items() if reason is None]:
         return f"{name} names no stack; there is {listed(targets)}."
@@ -299,7 +297,7 @@ def _readings(matrix: Matrix, name: str) -> Iterator[Wanted]:
     for (row, distribution), (component, word) in starts:
         start = f"{row}{word}"
         if name == start and word:
-            yield Wanted(distribution, component, rules.plain(matrix), None)
+            yield Wanted(distribution, component, combinations.plain(matrix), None)
         for framework, stack in product(matrix.frameworks, (None, *matrix.stacks)):
             end = f"-{stack}" if stack else ""
             if name in (f"{start}-{framework}{end}", f"{matrix.frameworks[framework].repository}:{start}{end}"):
@@ -333,7 +331,7 @@ def _of_addon(image_set: ImageSet, addon: str) -> Iterator[str]:
         pythons = sorted(
             {part.python for part in parts_of_stack} - {ANY_PYTHON}, key=lambda text: [*map(int, text.split("."))]
         )
-        brought = rules.brought(matrix, [entries[-1].name], matrix.stacks[stack])
+        brought = combinations.brought(matrix, [entries[-1].name], matrix.stacks[stack])
         what = listed([f"{item.title} {item.version}" for item in brought]) or entries[-1].title or addon
         if parts_of_stack:
             yield f"{stack}: {what} for {listed([*platforms])}{f', Python {listed(pythons)}' if pythons else ''}"
@@ -380,12 +378,12 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
     )  # a stage of the Dockerfile, which has no image
     if image.stack:
         stack = matrix.stacks[image.stack]
-        for family in rules.families(matrix, matrix.carrying(image.framework, *image.addons)):
+        for family in combinations.families(matrix, matrix.carrying(image.framework, *image.addons)):
             version = stack.releases[family]
             release = matrix.releases[family][version]
             wheels = listed(release.architectures(image.stack))
             yield f"{family} {version} has a wheel for Python {image.python}, and {image.stack} wheels for {wheels}"
-            if company := rules.company(matrix, image.stack, [family]):
+            if company := combinations.company(matrix, image.stack, [family]):
                 yield f"with it {'go' if len(company) > 1 else 'goes'} {listed([' '.join(item) for item in company.items()])}"
             if release.environment:
                 yield f"its images have {listed([f'{name}={value}' for name, value in release.environment.items()])}"
@@ -398,7 +396,7 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
     yield from _where_from(matrix, image, environ)
     yield f"platforms: {listed(image.platforms)}"
     for architecture in matrix.architectures:
-        reason = rules.architecture_reason(
+        reason = combinations.architecture_reason(
             matrix, image.distribution, image.framework, image.stack, architecture, *image.addons
         )
         if architecture not in image.architectures and reason:
@@ -409,4 +407,4 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
     if image.shared:
         yield f"what it shares with others is tested in {listed(image.proven_by)}: {listed(image.shared)}"
     if not image.locked:
-        yield f"{missing.reason(image)}; {missing.remedy(image)}"
+        yield f"{missing_locks.reason(image)}; {missing_locks.remedy(image)}"

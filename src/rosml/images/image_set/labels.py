@@ -11,9 +11,9 @@ from typing import NamedTuple
 
 from rosml.images.image_set.model import Image, Part
 from rosml.images.matrix import names
+from rosml.images.matrix.combinations import Brought
 from rosml.images.matrix.model import ANY_PYTHON, PartEntry
 from rosml.images.matrix.patterns import VARIABLE
-from rosml.images.matrix.rules import Brought
 
 PREFIX = "io.rosml."
 TITLE = "org.opencontainers.image.title"

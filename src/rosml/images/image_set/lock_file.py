@@ -8,8 +8,8 @@ from fnmatch import fnmatchcase
 
 from rosml.images.image_set.model import Part, Wheels
 from rosml.images.matrix import names
+from rosml.images.matrix.combinations import remembered
 from rosml.images.matrix.model import Matrix, Release
-from rosml.images.matrix.rules import remembered
 
 _PIN = re.compile(r"\n([A-Za-z0-9._-]+)==([^\s;\\]+)")
 """A pin at the beginning of a line. A pattern that begins with a plain character finds its places faster than `^`."""

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from rosml.base.errors import RosmlError
 from rosml.base.files import shown
-from rosml.images.image_set import lock_file, missing
+from rosml.images.image_set import lock_file, missing_locks
 from rosml.images.image_set.model import Image, ImageSet
 
 
@@ -46,7 +46,7 @@ def unusable_locks(image_set: ImageSet, root: Path, present: Collection[str]) ->
 def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collection[str] = ()) -> ImageSet:
     """An image set that knows which of its images and parts lack a lock, or have one that is not usable."""
     absent = image_set.locks.difference(present)
-    lost = absent - missing.waiting(image_set.matrix, image_set.parts)
+    lost = absent - missing_locks.waiting(image_set.matrix, image_set.parts)
 
     def without(image: Image) -> Image:
         unlocked = tuple(lock for lock in image.locks if lock in absent)

@@ -8,8 +8,8 @@ from functools import cached_property
 from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
 from rosml.images.matrix import names
+from rosml.images.matrix.combinations import Brought
 from rosml.images.matrix.model import Matrix
-from rosml.images.matrix.rules import Brought
 from rosml.images.matrix.sizes import Size
 
 PARTS = "part"

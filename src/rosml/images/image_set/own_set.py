@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix import rules
+from rosml.images.matrix import combinations
 from rosml.images.matrix.model import Matrix
 
 SET, COMMAND, WORKFLOW, NIGHT = "set.yaml", "rosml", ".github/workflows/images.yml", "night.sh"
@@ -116,12 +116,13 @@ def _stacks(matrix: Matrix, distributions: Sequence[str], frameworks: Sequence[s
     stacks: list[str] = []
     for distribution in distributions:
         for framework in frameworks:
-            usual = rules.default_stack(matrix, distribution, framework)
+            usual = combinations.default_stack(matrix, distribution, framework)
             cpu = next(
                 (
                     name
                     for name, facts in matrix.stacks.items()
-                    if facts.accelerator == "cpu" and rules.stack_reason(matrix, distribution, framework, name) is None
+                    if facts.accelerator == "cpu"
+                    and combinations.stack_reason(matrix, distribution, framework, name) is None
                 ),
                 None,
             )

@@ -11,9 +11,6 @@ from rosml.base.problems import listed, unknown
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix.names import our_word
 
-NVIDIA = ("gpu", "nvidia")
-"""Words that people try for the images with CUDA of any kind."""
-
 
 def select(image_set: ImageSet, only: Sequence[str]) -> tuple[Image, ...]:
     """The images that patterns of targets or tags, or groups, name; all images without any of these."""
@@ -59,12 +56,6 @@ def members(image_set: ImageSet, groups: Sequence[str] = ()) -> tuple[Image, ...
 
 def _no_group(image_set: ImageSet, name: str, groups: Sequence[str], group_names: Sequence[str]) -> RosmlError:
     """The error about a word that is no group: what people may have meant by it, or all groups."""
-    if name.lower() in NVIDIA:
-        stacks = [stack for stack, facts in image_set.matrix.stacks.items() if facts.cuda]
-        return RosmlError(f"no group named {name!r}", f"name the CUDA: {listed(stacks, last='or')}", exit_code=2)
-    if ros := re.fullmatch(r"(?i)ros-?([12])", name):
-        rows = [row for row, facts in image_set.matrix.distributions.items() if facts.ros == int(ros[1])]
-        return RosmlError(f"no group named {name!r}", f"name a distribution: {listed(rows, last='or')}", exit_code=2)
     if image := image_set.by_tag(name):
         return RosmlError(f"{name} is an image, and no group", f"rosml explain {image.target}", exit_code=2)
     parts = [our_word(image_set.matrix, word) for word in re.split(r"[\s,*-]+", name.lower()) if word]

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix import rules
+from rosml.images.matrix import combinations
 from rosml.images.matrix.model import Distribution, Matrix
 
 DEBIAN, CALLED = "Debian", "noetic"
@@ -123,8 +123,8 @@ def choose(
     if not fits:
         raise _unfit(matrix, what, distributions, ros_distro)
     row = fits[0]
-    if component not in distributions[row].components or rules.only_runs(matrix, component):
-        full = [item for item in distributions[row].components if not rules.only_runs(matrix, item)]
+    if component not in distributions[row].components or combinations.only_runs(matrix, component):
+        full = [item for item in distributions[row].components if not combinations.only_runs(matrix, item)]
         raise RosmlError(unknown("component", component, full), f"{row} has {listed(full)}", exit_code=2)
     image = next(
         image

@@ -16,8 +16,8 @@ from rosml.base.problems import listed
 from rosml.images.image_set import labels, restricted
 from rosml.images.join import label_claims
 from rosml.images.matrix import names
+from rosml.images.matrix.combinations import Brought
 from rosml.images.matrix.model import ANY_PYTHON
-from rosml.images.matrix.rules import Brought
 from rosml.registry import bases, documents, oci
 from rosml.registry.oci import Config, Manifest
 

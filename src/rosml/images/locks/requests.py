@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 from rosml.base.problems import listed
 from rosml.images.image_set.lock_file import adapted_lines, package_name
 from rosml.images.image_set.model import ImageSet, Part
-from rosml.images.matrix import rules
+from rosml.images.matrix import combinations
+from rosml.images.matrix.combinations import NVIDIA
 from rosml.images.matrix.model import ANY_PYTHON, Matrix, PartEntry
-from rosml.images.matrix.rules import NVIDIA
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ def _of_stack(matrix: Matrix, part: Part, architecture: str, families: Sequence[
         stack=part.stack,
         architecture=architecture,
         python=part.python,
-        wheels=rules.wheels(matrix, architecture, releases.values()),
+        wheels=combinations.wheels(matrix, architecture, releases.values()),
         roots=roots,
         numpy=system.numpy,
         constraints=stack.constraints,

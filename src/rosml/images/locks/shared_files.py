@@ -19,7 +19,7 @@ from rosml.images.image_set.lock_file import versions
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.locks.index import Index, WheelTarget
 from rosml.images.locks.uv import WORKERS
-from rosml.images.matrix import names, rules
+from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import ANY_PYTHON
 
 
@@ -65,8 +65,8 @@ def _of_lock(
     others = _pythons(image_set, part, architecture) - {built_from}
     if not others:
         return
-    platform = rules.wheels(matrix, architecture, rules.releases_of(matrix, part.stack, part.kind))
-    index_address = rules.index(matrix, part.stack, part.kind)
+    platform = combinations.wheels(matrix, architecture, combinations.releases_of(matrix, part.stack, part.kind))
+    index_address = combinations.index(matrix, part.stack, part.kind)
     wheels = {
         python: index.wheels(WheelTarget(python, platform), pins, index_address) for python in {built_from, *others}
     }

@@ -120,6 +120,7 @@ class Component(Facts):
         default=None, description="the component below; if a distribution lacks it, the next one below that"
     )
     metapackage: Word | None = Field(default=None, description="name in package names; the component's own if left out")
+    search: tuple[Word, ...] = Field(default=(), description="packages in it by which people look for an image")
     runtime_of: Name | None = Field(
         default=None,
         description="the component whose packages it has without compilers and headers: for programs that are built",

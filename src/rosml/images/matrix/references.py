@@ -9,9 +9,9 @@ from fnmatch import fnmatchcase
 
 from rosml.base.problems import KeyPath, listed, near, unknown
 from rosml.images.matrix import names, registries
+from rosml.images.matrix.combinations import NVIDIA
 from rosml.images.matrix.model import Distribution, Matrix, OperatingSystem, PartEntry, Release, Stack
 from rosml.images.matrix.patterns import SLOTS
-from rosml.images.matrix.rules import NVIDIA
 
 Finding = tuple[KeyPath, str]
 """A problem's path and its text."""

@@ -13,7 +13,7 @@ from functools import cached_property
 from rosml.base.problems import listed, some
 from rosml.images.bake.inputs import Inputs
 from rosml.images.builds import base_images, contents, package_state
-from rosml.images.image_set import missing
+from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.matrix.sizes import Size
 from rosml.images.publish.items import ABSENT, ELSEWHERE, UNDESCRIBED, WAITING, Item, Key, Step, Task, ros_images
@@ -221,8 +221,8 @@ class State:
     def hindrance(self, item: Item) -> str:
         """Why an item cannot be built on this machine; empty if it can."""
         image_or_part = item.thing
-        if lacking := missing.on(image_or_part, item.architecture):
-            return f"{missing.UNLOCKED}: {some(lacking)}"
+        if lacking := missing_locks.on(image_or_part, item.architecture):
+            return f"{missing_locks.UNLOCKED}: {some(lacking)}"
         if item.kind == "joined":  # any machine can join in the registry
             return ""
         if item.architecture not in self.architectures:

@@ -11,8 +11,8 @@ from datetime import datetime
 from typing import Any
 
 from rosml.base.clock import TIME, is_ahead, is_date
-from rosml.images.image_set import missing
-from rosml.images.image_set.missing import UNLOCKED
+from rosml.images.image_set import missing_locks
+from rosml.images.image_set.missing_locks import UNLOCKED
 from rosml.images.image_set.model import Image, Part, repository_of, tags_of
 from rosml.images.publish.items import ELSEWHERE, WAITING, Item, Key
 from rosml.images.publish.state import State
@@ -82,10 +82,10 @@ def _state(state: State, thing: Image | Part, tagged: str) -> tuple[str, str]:
     entries = [entry for key in members if (entry := state.entries.get(key))]
     if failures := [f"{entry.architecture}: {_reason(entry)}" for entry in entries if _has_failed(state, entry)]:
         return "failed", "; ".join(failures)
-    lacking = sum(len(missing.on(thing, architecture)) for _, architecture in members)
+    lacking = sum(len(missing_locks.on(thing, architecture)) for _, architecture in members)
     if lacking and not tagged:
         if isinstance(thing, Image) and thing.damaged:
-            return UNLOCKED, missing.reason(thing)
+            return UNLOCKED, missing_locks.reason(thing)
         return UNLOCKED, f"{lacking} of its locks are missing"
     why = [f"{key[1]}: {reason}" for key in members if (reason := _first_reason(state, key))]
     only_elsewhere = all(reason.endswith(ELSEWHERE) for reason in why)
@@ -157,7 +157,7 @@ def ahead(state: State) -> dict[str, int]:
     serve = state.request.serve
     counts: Counter[str] = Counter()
     for item in state.items:
-        if missing.on(item.thing, item.architecture) or (serve and item.architecture not in serve):
+        if missing_locks.on(item.thing, item.architecture) or (serve and item.architecture not in serve):
             continue
         outdated = bool(state.reasons(item))
         counts[item.making] += outdated

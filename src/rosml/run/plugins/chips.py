@@ -1,11 +1,10 @@
-"""The compute capabilities of this machine's NVIDIA GPUs, and whether code was built for them. Starts no process: this machine's
-files have the numbers of the chips."""
+"""The compute capabilities of this machine's NVIDIA GPUs. Starts no process: this machine's files have the numbers of the chips."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 
+from rosml.base.gpu_code import Capability
 from rosml.run.context import Host
 
 DRIVEN = "/sys/bus/pci/drivers/nvidia"
@@ -31,10 +30,6 @@ CARDS = {
 BOARDS = {"186": (6, 2), "194": (7, 2), "234": (8, 7), "264": (11, 0)}
 """The same of Jetsons: TX2, Xavier, Orin, Thor."""
 
-_KIND = re.compile(r"(sm|compute)_([0-9]{1,2})([0-9])([af]?)")
-
-Capability = tuple[int, int]
-
 
 def capabilities(host: Host) -> list[Capability]:
     """The compute capabilities of this machine's GPUs, without duplicates; those of unknown chips are left out."""
@@ -44,19 +39,3 @@ def capabilities(host: Host) -> list[Capability]:
         number = host.text(f"{device}/device").strip().lower().removeprefix("0x")
         known_capabilities.update([value for pattern, value in CARDS.items() if re.fullmatch(pattern, number)][:1])
     return sorted(known_capabilities)
-
-
-def covers(built: Iterable[str], capability: Capability) -> bool:
-    """Whether code runs on a GPU. True if a word is unknown, as an image may say anything. `built` is what it was compiled for:
-    `sm_80`, `sm_90a`, `compute_90`."""
-    kinds = [_KIND.fullmatch(word) for word in built]
-    return not all(kinds) or any(_runs(kind, capability) for kind in kinds if kind)
-
-
-def _runs(kind: re.Match[str], capability: Capability) -> bool:
-    """Machine code is for GPUs of its major version, from its minor version on. PTX is for all later GPUs. Code with an `a` is for one
-    GPU alone."""
-    target = int(kind[2]), int(kind[3])
-    if kind[4] == "a":
-        return capability == target
-    return capability >= target and ((kind[1] == "compute" and not kind[4]) or capability[0] == target[0])

@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 
 from rosml.base.errors import RosmlError
+from rosml.base.gpu_code import covers
 from rosml.base.problems import listed
 from rosml.run.context import Context, Engine, Host
 from rosml.run.plugin import NOTHING, Added, Plugin
@@ -92,7 +93,7 @@ def _not_built_for(context: Context) -> Iterator[tuple[str, str]]:
     image, capabilities = context.line.image, chips.capabilities(context.host)
     for label, value in context.image.labels.items():
         library, targets = BUILT.fullmatch(label), value.split()
-        uncovered = [f"sm_{major}{minor}" for major, minor in capabilities if not chips.covers(targets, (major, minor))]
+        uncovered = [f"sm_{major}{minor}" for major, minor in capabilities if not covers(targets, (major, minor))]
         if library and library[2] == context.host.architecture and uncovered:
             gpus = f"this machine has the GPU {listed(uncovered)}"
             text = f"{library[1]} in {image} was built for {' '.join(targets)}, and {gpus}"

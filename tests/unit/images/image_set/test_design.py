@@ -10,7 +10,7 @@ from conftest import ROOT
 from rosml.images.image_set import locked
 from rosml.images.image_set.explain import why_not
 from rosml.images.image_set.model import ImageSet
-from rosml.images.matrix import rules
+from rosml.images.matrix import combinations
 
 
 def test_every_axis(real: ImageSet) -> None:
@@ -64,7 +64,9 @@ def test_the_page_about_gpus_says_what_the_labels_do(real: ImageSet) -> None:
     titles = {"torch": "PyTorch", "tensorflow": "TensorFlow", "onnxruntime": "ONNX Runtime"}
     lines = []
     for name, stack in matrix.stacks.items():
-        facts = rules.gpu(matrix, name, [part.name for part in matrix.parts if part.release in (None, *stack.releases)])
+        facts = combinations.gpu(
+            matrix, name, [part.name for part in matrix.parts if part.release in (None, *stack.releases)]
+        )
         built = {family: [facts.pop(f"{family}.{x}", "") for x in ("amd64", "arm64")] for family in titles}
         driver = facts.pop("driver", "")
         assert not facts, "a column or a library that the page lacks"
@@ -76,7 +78,7 @@ def test_the_page_about_parts_says_what_goes_with_pytorch(real: ImageSet) -> Non
     for name, torch, *others in rows("docs/parts.md", "| stack | PyTorch | torchvision |"):
         stacks = name.replace("`", "").split(", ")
         assert torch == ", ".join(real.matrix.stacks[stack].releases["torch"] for stack in stacks)
-        company = rules.company(real.matrix, stacks[0], ["torch"])
+        company = combinations.company(real.matrix, stacks[0], ["torch"])
         for package, other in zip(("torchvision", "torchaudio"), others, strict=True):
             assert other == company[package] if package in company else other.startswith("none"), (name, package)
 

@@ -12,7 +12,7 @@ from rosml.cli import command
 from rosml.cli.images import generate as generate_bake
 from rosml.cli.images import tables
 from rosml.images.image_set import load as loading
-from rosml.images.image_set import missing
+from rosml.images.image_set import missing_locks
 from rosml.images.image_set.explain import explained
 from rosml.images.image_set.locked import with_locks
 from rosml.images.image_set.model import ImageSet
@@ -35,26 +35,29 @@ def without(image_set: ImageSet, *locks: str) -> ImageSet:
 
 
 def test_a_lock_waits_where_the_digest_of_its_wheel_is_not_known(elsewhere: ImageSet) -> None:
-    assert missing.waiting(elsewhere.matrix, elsewhere.parts) == {WAITING}
+    assert missing_locks.waiting(elsewhere.matrix, elsewhere.parts) == {WAITING}
     image_set = without(elsewhere, TORCH, WAITING)
     lost, waiting = image_set.image("alpha-core-torch-cu1"), image_set.image("alpha-core-torch-cpu")
-    assert (missing.reason(lost), missing.remedy(lost)) == (f"{TORCH} is missing", "run 'rosml locks'")
-    assert (missing.reason(waiting), missing.remedy(waiting)) == (f"{WAITING} is missing", missing.ASK_PYTORCH)
-    assert missing.lost(without(elsewhere, WAITING)) is None
+    assert (missing_locks.reason(lost), missing_locks.remedy(lost)) == (f"{TORCH} is missing", "run 'rosml locks'")
+    assert (missing_locks.reason(waiting), missing_locks.remedy(waiting)) == (
+        f"{WAITING} is missing",
+        missing_locks.ASK_PYTORCH,
+    )
+    assert missing_locks.lost(without(elsewhere, WAITING)) is None
 
 
 def test_what_is_common_to_waiting_releases_alone_waits_with_them() -> None:
     nothing = parse(changed("cpu: [arm64]}}", "cpu: [arm64]}, elsewhere: {cpu: {amd64: {}}}, requires: [jinja2]}"))
-    assert missing.waiting(nothing.matrix, nothing.parts) == {WAITING, WAITING.replace("3.12", "3.14"), COMMON}
+    assert missing_locks.waiting(nothing.matrix, nothing.parts) == {WAITING, WAITING.replace("3.12", "3.14"), COMMON}
 
 
 def test_lost_locks_name_their_images(elsewhere: ImageSet) -> None:
-    one = missing.lost(without(elsewhere, TORCH, WAITING))
+    one = missing_locks.lost(without(elsewhere, TORCH, WAITING))
     assert one is not None
     assert one.message.startswith("6 images cannot be built (alpha-core-torch-cu1, ")
     assert one.message.endswith(f"alpha-core-ml-cu1 and 2 more): {TORCH} is missing")
     assert "git checkout locks" in one.remedy
-    two = missing.lost(without(elsewhere, TORCH, COMMON))
+    two = missing_locks.lost(without(elsewhere, TORCH, COMMON))
     assert two is not None
     assert f"): {TORCH}, {COMMON} are missing" in two.message
 
@@ -106,8 +109,8 @@ def test_a_damaged_lock_is_not_called_missing(tmp_path: Path, damage: Callable[[
     (tmp_path / GONE).unlink()
     image_set = loading.load(tmp_path / "matrix.yaml", tmp_path)
     damaged = f"{TORCH} is damaged, or not of the release that matrix.yaml names"
-    assert missing.reason(image_set.image("alpha-core-torch-cu1")) == damaged
-    error = missing.lost(image_set)
+    assert missing_locks.reason(image_set.image("alpha-core-torch-cu1")) == damaged
+    error = missing_locks.lost(image_set)
     assert error is not None
     assert error.message.endswith(f"): {GONE} is missing; {damaged}")
     text = explained(image_set, "alpha-core-torch-cu1").text
@@ -119,18 +122,18 @@ def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pyte
     stale = capsys.readouterr().err.splitlines()
     assert stale[0].startswith("error: 6 images cannot be built")
     assert stale[1].endswith("out.hcl: outdated")
-    assert stale[2:] == [f"remedy: {missing.RESTORE}; then run 'rosml generate' and commit the result"]
+    assert stale[2:] == [f"remedy: {missing_locks.RESTORE}; then run 'rosml generate' and commit the result"]
     assert command.run(generate_bake.main, arguments=project) == 0
     lines = capsys.readouterr().err.splitlines()
     assert lines[0].endswith("out.hcl: written")
     assert lines[1].startswith("warning: 6 images cannot be built (alpha-core-torch-cu1, ")
     assert command.run(generate_bake.main, arguments=[*project, "--check"]) == 1
-    assert capsys.readouterr().err.splitlines()[1:] == [f"remedy: {missing.RESTORE}"]
+    assert capsys.readouterr().err.splitlines()[1:] == [f"remedy: {missing_locks.RESTORE}"]
 
 
 def test_listing_tells_both_apart(elsewhere: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
     tables.print_images(without(elsewhere, TORCH, WAITING).images)
     assert [line.strip() for line in capsys.readouterr().out.splitlines()[-2:]] == [
-        f"6 images without a lock, which cannot be built yet: {missing.RESTORE}",
-        f"6 images without a lock, which cannot be built yet: {missing.ASK_PYTORCH}",
+        f"6 images without a lock, which cannot be built yet: {missing_locks.RESTORE}",
+        f"6 images without a lock, which cannot be built yet: {missing_locks.ASK_PYTORCH}",
     ]

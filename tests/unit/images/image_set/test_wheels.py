@@ -13,13 +13,13 @@ from rosml.base.problems import InputError
 from rosml.images.bake import targets
 from rosml.images.bake.inputs import TARGET, Inputs
 from rosml.images.builds.maker import require_buildable
-from rosml.images.image_set import apt_repository, missing
+from rosml.images.image_set import apt_repository, missing_locks
 from rosml.images.image_set.explain import explained, why_not
 from rosml.images.image_set.load import load
 from rosml.images.image_set.locked import with_locks
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks import requests, resolve
-from rosml.images.matrix import rules
+from rosml.images.matrix import combinations
 
 LOCK = "locks/sigma/amd64/3.12/ros.txt"
 ROW = "distributions.sigma"
@@ -52,8 +52,8 @@ def test_it_never_gets_latest(wheels: ImageSet) -> None:
 
 
 def test_a_row_may_exist_for_fewer_architectures_than_its_system(wheels: ImageSet) -> None:
-    assert rules.built_for(wheels.matrix, "alpha") == ("amd64", "arm64")
-    assert rules.built_for(wheels.matrix, "sigma") == ("amd64",)
+    assert combinations.built_for(wheels.matrix, "alpha") == ("amd64", "arm64")
+    assert combinations.built_for(wheels.matrix, "sigma") == ("amd64",)
     assert wheels.image("sigma-core").platforms == ("linux/amd64",)
     assert "\n  - not for arm64: sigma exists for amd64 only\n" in explained(wheels, "sigma-core").text
     assert why_not(wheels, "sigma-core-torch-cpu") == (
@@ -153,10 +153,10 @@ def test_a_missing_lock_is_named_like_others(wheels: ImageSet) -> None:
     assert {image.distribution for image in images} == {"sigma"}
     assert all(image.unlocked == image.lost == (LOCK,) for image in images)
     assert "sigma" not in image_set.groups
-    problem = missing.lost(image_set)
+    problem = missing_locks.lost(image_set)
     assert problem is not None
     assert problem.message.endswith(f"): {LOCK} is missing")
-    assert problem.remedy == missing.RESTORE
+    assert problem.remedy == missing_locks.RESTORE
     assert explained(image_set, "sigma-core").text.endswith(f"\n  - {LOCK} is missing; run 'rosml locks'")
     assert targets.of(image_set)["sigma-core"].description == "cannot be built yet: no lock; run 'rosml locks'"
     with pytest.raises(RosmlError, match=f"sigma-core cannot be built yet: {LOCK} is missing"):

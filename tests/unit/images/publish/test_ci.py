@@ -22,7 +22,7 @@ from rosml.images.bake import diff as differences
 from rosml.images.bake import pull_request
 from rosml.images.bake.inputs import Inputs
 from rosml.images.builds import disk
-from rosml.images.image_set import locked, missing
+from rosml.images.image_set import locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix.sizes import Size
 from rosml.images.publish import revision
@@ -135,7 +135,7 @@ def test_what_lacks_a_lock_has_a_line_of_its_own(
     report.print_plan(run.state, why=False)
     *_, counts, line = capsys.readouterr().out.splitlines()
     assert counts.endswith(" up to date")
-    assert line == f"{images} without a lock, which cannot be built yet: {missing.RESTORE}"
+    assert line == f"{images} without a lock, which cannot be built yet: {missing_locks.RESTORE}"
     report.plan_to_ci(make_plan(run.state, 4), "")
     assert f"\n- without a lock: {images}, which cannot be built yet\n" in (ci / github.SUMMARY).read_text()
     (ci / github.SUMMARY).unlink()

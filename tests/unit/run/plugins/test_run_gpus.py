@@ -11,6 +11,7 @@ import pytest
 from fakes.desks import DOCKER, PODMAN, Desk, docker_desk
 from fakes.run_machines import Machine
 from rosml.base.errors import RosmlError
+from rosml.base.gpu_code import Capability, covers
 from rosml.images.image_set import labels
 from rosml.run.context import Engine, Image, Person
 from rosml.run.plugin import Added
@@ -219,8 +220,8 @@ def test_the_capability_of_a_jetson(machine: Machine, board: bytes, capability: 
         ("", [], [(8, 0)]),
     ],
 )
-def test_the_gpus_on_which_code_runs(built: str, runs: list[chips.Capability], fails: list[chips.Capability]) -> None:
-    assert [capability for capability in [*runs, *fails] if chips.covers(built.split(), capability)] == runs
+def test_the_gpus_on_which_code_runs(built: str, runs: list[Capability], fails: list[Capability]) -> None:
+    assert [capability for capability in [*runs, *fails] if covers(built.split(), capability)] == runs
 
 
 def test_a_library_that_was_not_built_for_the_gpu(machine: Machine) -> None:

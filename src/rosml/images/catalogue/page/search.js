@@ -47,8 +47,14 @@
     return (image) => tests.every((test) => test(image));
   }
 
+  /** Whether a driver runs an image: a driver runs what older ones run. */
+  function runsWith(driver) {
+    return (image) => image.search.some((word) => word.startsWith("driver ") && parseInt(word.slice(7), 10) <= driver);
+  }
+
   /** A name and its number: the number itself, then what begins with it. None of both where the name has no numbers at all. */
   function versioned(name, number) {
+    if (name === "driver") return [runsWith(parseInt(number, 10))];
     const pattern = `(?<![a-z0-9])${plain(name)} ?${plain(number)}`;
     const always = r.catalogue.images.some(has(`(?<![a-z0-9])${plain(name)} ?\\d`));
     const apart = always ? [] : [allOf(startsWord(name), first(lone(number)))];
