@@ -45,7 +45,7 @@ PROOFS = {
     "properties": Proof(
         15,
         tests=(
-            "tests/unit/images/test_matrix.py",
+            "tests/unit/images/matrix/test_matrix.py",
             "tests/unit/images/publish/test_plan.py",
             "tests/unit/run/test_run_words.py",
             "tests/unit/cli/test_parsers.py",

@@ -14,7 +14,7 @@ from fakes.memory_registry import IMAGE, INDEX, LAYER, PREFIX, MemoryRegistry
 from rosml.images.image_set import model as sets
 from rosml.images.image_set.labels import COVERED, of_part
 from rosml.images.image_set.model import ImageSet, Part, repository_of
-from rosml.images.matrix import names
+from rosml.images.matrix.tags import dated
 from rosml.images.records import tag_moves
 from rosml.images.records.store import ANNOTATION, DATE, Entry, Records
 from rosml.images.records.store import INDEX as INDEX_ENTRY
@@ -83,7 +83,7 @@ class Shelf:
         digest = self.registry.put_manifest(repository, "", content, INDEX)
         tags = [main] if isinstance(thing, Part) else [tag.split(":")[1] for tag in thing.tags]
         previous = self.registry.head(repository, main)
-        for tag in (*tags, names.dated(main, date)):
+        for tag in (*tags, dated(main, date)):
             self.registry.names.setdefault(repository, {})[tag] = digest
         for architecture, member in members.items():
             entry = self._entry(thing, architecture, member, date)

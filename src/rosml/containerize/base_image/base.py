@@ -21,7 +21,7 @@ from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import restricted
 from rosml.images.image_set.labels import PREFIX, RESTRICTED, RUNTIME, VERSION
 from rosml.images.image_set.load import load
-from rosml.images.matrix.names import DATED, main_tag
+from rosml.images.matrix.tags import DATED, main_tag
 from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import bases, oci, references
 from rosml.registry.client import Registries, Registry

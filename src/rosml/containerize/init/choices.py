@@ -14,10 +14,10 @@ from rosml.containerize.init.file_texts import INSTALLED
 from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, Wishes, settle
 from rosml.containerize.packages.manifest import Package
 from rosml.images.image_set import missing_locks
-from rosml.images.image_set.expand import FLOATING
 from rosml.images.image_set.model import Image
 from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import Matrix
+from rosml.images.matrix.tags import FLOATING
 
 SHELL = "bash"
 

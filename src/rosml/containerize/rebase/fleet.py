@@ -23,8 +23,8 @@ from rosml.containerize.rebase.plan import Plan, Rebased
 from rosml.containerize.rebase.rebaser import Rebaser
 from rosml.containerize.rebase.trial import Pair
 from rosml.images.matrix import source, validate
-from rosml.images.matrix.names import DATED, dated
 from rosml.images.matrix.patterns import Facts
+from rosml.images.matrix.tags import DATED, dated
 from rosml.images.records import tag_moves
 from rosml.images.records.store import Records
 from rosml.images.records.tag_moves import Move

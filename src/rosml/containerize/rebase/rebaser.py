@@ -21,7 +21,7 @@ from rosml.containerize.rebase.target_base import TargetBase, TargetBases
 from rosml.images.image_set.labels import ADDONS, APP, GPU, PREFIX, TITLE
 from rosml.images.join.layers import Joined, Source, as_source, join, platform
 from rosml.images.join.transfer import Transfer
-from rosml.images.matrix.names import DATED
+from rosml.images.matrix.tags import DATED
 from rosml.machine.services import Services
 from rosml.registry import oci, references
 from rosml.registry.client import Registry

@@ -15,7 +15,7 @@ from rosml.containerize.names import SLIM
 from rosml.containerize.rebase import image
 from rosml.images.image_set.labels import APP
 from rosml.images.join.layers import Source
-from rosml.images.matrix.names import DATED
+from rosml.images.matrix.tags import DATED
 from rosml.machine.services import Services
 from rosml.registry import references
 from rosml.registry.client import Registry

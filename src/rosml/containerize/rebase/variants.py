@@ -13,7 +13,8 @@ from rosml.containerize.rebase.plan import Plan
 from rosml.containerize.rebase.rebaser import Rebaser
 from rosml.images.image_set.labels import ADDONS, PREFIX
 from rosml.images.join.layers import Source
-from rosml.images.matrix.names import NONE, main_tag
+from rosml.images.matrix.names import NONE
+from rosml.images.matrix.tags import main_tag
 from rosml.registry import references
 
 STACK = re.compile(r"[a-z][a-z0-9]{0,15}")

@@ -16,7 +16,7 @@ from rosml.base.side_by_side import side_by_side
 from rosml.images.catalogue.model import SIGNER, Move, Sbom
 from rosml.images.image_set.labels import COVERED
 from rosml.images.image_set.model import Image, Part, repository_of, tags_of
-from rosml.images.matrix.names import DATED
+from rosml.images.matrix.tags import DATED
 from rosml.images.records import tag_moves
 from rosml.images.records.store import INDEX, Entry, Records, date_of
 from rosml.registry import documents

@@ -28,7 +28,8 @@ from rosml.images.image_set import model as sets
 from rosml.images.image_set.model import repository_of, tags_of
 from rosml.images.image_set.selection import select
 from rosml.images.matrix import combinations
-from rosml.images.matrix.names import DATED, our_words
+from rosml.images.matrix.names import our_words
+from rosml.images.matrix.tags import DATED
 from rosml.registry.place import Place
 
 HISTORY = 10

@@ -9,7 +9,8 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix import combinations, names
+from rosml.images.matrix import combinations
+from rosml.images.matrix.tags import main_tag
 
 BEGIN = "<!-- images: written by rosml generate -->"
 END = "<!-- /images -->"
@@ -101,7 +102,7 @@ def _contents(image_set: ImageSet) -> Iterator[str]:
     for images in rows.values():
         first = images[0]
         components = {image.component for image in images}
-        tag = names.main_tag("<distribution>", components.pop() if len(components) == 1 else "<component>", first.stack)
+        tag = main_tag("<distribution>", components.pop() if len(components) == 1 else "<component>", first.stack)
         locked = dict.fromkeys(image.distribution for image in images if image.locked)
         others = dict.fromkeys(image.distribution for image in images if not image.locked)
         where = ", ".join(locked) if len(locked) < len(image_set.matrix.distributions) else "all"

@@ -13,6 +13,7 @@ from rosml.base.problems import listed, some, unknown
 from rosml.images.image_set.model import PARTS, Image
 from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
+from rosml.images.matrix.tags import main_tag
 
 
 @dataclass(frozen=True)
@@ -165,7 +166,7 @@ def _tag(matrix: Matrix, onto: Onto, framework: str, stack: str) -> str:
     where = f"{place}{slash}" if name.partition(":")[0] in ours else ""
     components = matrix.distributions[onto.distribution].components
     component = onto.component if onto.component in components else next(iter(components))
-    tag = names.main_tag(onto.distribution, component, stack or None)
+    tag = main_tag(onto.distribution, component, stack or None)
     return f"{where}{matrix.frameworks[framework].repository}:{tag}"
 
 

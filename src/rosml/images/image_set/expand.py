@@ -12,6 +12,7 @@ from rosml.images.matrix import combinations, names
 from rosml.images.matrix.combinations import Brought
 from rosml.images.matrix.model import ANY_PYTHON, Distribution, Framework, Matrix
 from rosml.images.matrix.sizes import Size
+from rosml.images.matrix.tags import full_tags, latest_distribution, short_tags
 
 
 def expand(matrix: Matrix) -> ImageSet:
@@ -80,7 +81,7 @@ class Place:
 
 def places(matrix: Matrix) -> Iterator[Place]:
     """The places of all images, in their order."""
-    latest = _latest(matrix)
+    latest = latest_distribution(matrix)
     for name, distribution in matrix.distributions.items():
         for framework, facts in matrix.frameworks.items():
             for stack in matrix.stacks if facts.parts else (None,):
@@ -184,7 +185,7 @@ def _place(matrix: Matrix, kind: Kind, component: str, latest: str | None, tagge
     return Place(
         kind,
         component,
-        _tags(kind.distribution, aliases, component, kind, kind.distribution == latest) if tagged else (),
+        _tags(kind, aliases, component, kind.distribution == latest) if tagged else (),
     )
 
 
@@ -308,37 +309,11 @@ def _packages(matrix: Matrix, name: str, distribution: Distribution, component: 
     return (distribution.packages or "").format(component=component, metapackage=metapackage, ros_distro=ros_distro)
 
 
-def _tags(name: str, aliases: tuple[str, ...], component: str, kind: Kind, latest: bool) -> tuple[str, ...]:
-    tags: list[str] = []
-    for called in (name, *aliases):
-        main = names.main_tag(called, component, kind.stack)
-        tags += dict.fromkeys((main, names.spelled_tag(main, labels.spelled(kind.brought))))
-    if component == FLOATING and kind.short:
-        tags += [name, *aliases, *(["latest"] if latest else [])]
-    return tuple(f"{kind.facts.repository}:{tag}" for tag in tags)
-
-
-FLOATING = "base"
-"""The component of the short tags: `ros:jazzy` is `ros:jazzy-base`."""
-
-
-def _latest(matrix: Matrix) -> str | None:
-    """The newest long-term distribution, which is supported longest, of those with the component of the short tags and every
-    framework. An experimental one does not count."""
-    rows = matrix.distributions.items()
-    lasting = [(row.eol, name, row) for name, row in rows if row.lts and row.eol and not row.experimental]
-    whole = [
-        (eol, name) for eol, name, row in lasting if FLOATING in row.present and _has_every_framework(matrix, name)
-    ]
-    return max(whole)[1] if whole else None
-
-
-def _has_every_framework(matrix: Matrix, name: str) -> bool:
-    return all(
-        any(combinations.stack_reason(matrix, name, framework, stack) is None for stack in matrix.stacks)
-        for framework, facts in matrix.frameworks.items()
-        if facts.parts
-    )
+def _tags(kind: Kind, aliases: tuple[str, ...], component: str, latest: bool) -> tuple[str, ...]:
+    rows, versions = (kind.distribution, *aliases), labels.spelled(kind.brought)
+    tags = [tag for row in rows for tag in full_tags(row, component, kind.stack, versions)]
+    short = short_tags(rows, component, latest) if kind.short else ()
+    return tuple(f"{kind.facts.repository}:{tag}" for tag in (*tags, *short))
 
 
 def _wheels(matrix: Matrix) -> Iterator[Wheels]:

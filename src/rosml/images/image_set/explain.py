@@ -12,10 +12,10 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some, unknown
 from rosml.images.image_set import addons, apt_repository, missing_locks
-from rosml.images.image_set.expand import FLOATING
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
+from rosml.images.matrix.tags import FLOATING, main_tag
 
 
 @dataclass(frozen=True)
@@ -206,7 +206,7 @@ def _with_addon(matrix: Matrix, name: str) -> str | None:
                 onto = addons.Onto(name, row, component, framework, "")
                 return f"{name} does not exist: {why}; {addons.instead(matrix, onto, addon)}."
             facts = matrix.frameworks[framework]
-            base = f"{facts.repository}:{names.main_tag(row, component, possible[0] if facts.parts else None)}"
+            base = f"{facts.repository}:{main_tag(row, component, possible[0] if facts.parts else None)}"
             called = addon if facts.parts else f"{addon}-{possible[0]}"
             return f"{name} has no tag: {addon} is an add-on; take {base}, and --addons {called}, or join its parts: rosml join --help."
     return None

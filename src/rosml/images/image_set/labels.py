@@ -14,6 +14,7 @@ from rosml.images.matrix import names
 from rosml.images.matrix.combinations import Brought
 from rosml.images.matrix.model import ANY_PYTHON, PartEntry
 from rosml.images.matrix.patterns import VARIABLE
+from rosml.images.matrix.tags import main_tag, spelled_tag
 
 PREFIX = "io.rosml."
 TITLE = "org.opencontainers.image.title"
@@ -83,7 +84,7 @@ def about_image(image: ImageKind, brought: Sequence[Brought]) -> dict[str, str]:
     return {
         TITLE: names.image_target(image.distribution, image.component, image.framework, image.stack, image.addons),
         DESCRIPTION: ", ".join([f"ROS {image.ros} {image.component} ({image.distribution})", *carried]),
-        VERSION: names.spelled_tag(names.main_tag(image.distribution, image.component, image.stack), spelled(brought)),
+        VERSION: spelled_tag(main_tag(image.distribution, image.component, image.stack), spelled(brought)),
         f"{PREFIX}component": image.component,
     }
 

@@ -135,6 +135,6 @@ def _content(image_set: ImageSet, image: Image) -> Iterator[str]:
     if matrix.distributions[image.distribution].wheels or combinations.only_runs(matrix, image.component):
         return  # the one has rclpy alone, the other no compiler
     yield from ("c++", "cpp")
-    yield from (f"lib{name}" for name in ("torch", "tensorflow") if name in has)
+    yield from (f"lib{name}" for name in matrix.releases if name in has)
     for component in combinations.chain(matrix, image.component):
         yield from matrix.components[component].search

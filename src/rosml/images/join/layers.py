@@ -18,6 +18,7 @@ from rosml.images.join import label_claims
 from rosml.images.matrix import names
 from rosml.images.matrix.combinations import Brought
 from rosml.images.matrix.model import ANY_PYTHON
+from rosml.images.matrix.tags import main_tag, spelled_tag
 from rosml.registry import bases, documents, oci
 from rosml.registry.oci import Config, Manifest
 
@@ -204,7 +205,7 @@ def _onto(
     order = [kind for kind in explained if kind not in present]
     if not present or [kind for kind in by_kind if kind not in order]:
         carried = f"framework {ros.labels.get(_FRAMEWORK)} of stack {ros.labels[_STACK]}"
-        plain = f"the ROS image below it, ros:{names.main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
+        plain = f"the ROS image below it, ros:{main_tag(ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT])}"
         if ros.labels.get(labels.APP):
             plain = "an image of the app without a framework"
         raise RosmlError(f"{ros.name} has {carried} already", f"take {plain}", exit_code=2)
@@ -309,7 +310,7 @@ def _labels(ros: Source, content: _Content, stack: str, brought: Sequence[Brough
     place = ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS]
     titles = labels.about_image(labels.ImageKind(*place, content.framework, stack, content.addons), brought)
     if content.present:
-        titles[labels.VERSION] = names.spelled_tag(ros.labels.get(labels.VERSION, ""), labels.spelled(brought))
+        titles[labels.VERSION] = spelled_tag(ros.labels.get(labels.VERSION, ""), labels.spelled(brought))
         software = [f"{item.title} {item.version}" for item in brought if item.title]
         titles[labels.DESCRIPTION] = ", ".join([ros.labels.get(labels.DESCRIPTION, ""), *software])
     if ros.labels.get(labels.APP):

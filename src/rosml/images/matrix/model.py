@@ -121,10 +121,7 @@ class Component(Facts):
     )
     metapackage: Word | None = Field(default=None, description="name in package names; the component's own if left out")
     search: tuple[Word, ...] = Field(default=(), description="packages in it by which people look for an image")
-    runtime_of: Name | None = Field(
-        default=None,
-        description="the component whose packages it has without compilers and headers: for programs that are built",
-    )
+    runtime_of: Name | None = Field(default=None, description="the component that it is without compilers and headers")
 
 
 class Licence(Facts):

@@ -1,15 +1,10 @@
-"""The names of targets, parts, variables and tags."""
+"""The names of targets, parts and variables."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
-
-DATED = re.compile(r"-(\d{8})(?:\.\d+)?$")
-"""The date at the end of a tag that never moves."""
-
 
 ROS = "ros"
 """Stands for a part in the paths of locks of distributions from wheels. The distribution takes the place of a stack; no stack has
@@ -50,16 +45,6 @@ def image_target(
     """The bake target of an image: `jazzy-base`, `jazzy-base-torch-cu128`, `jazzy-base-torch-onnx-cu128`."""
     parts_of_name = [name for name in (framework, *addons) if name != NONE]
     return "-".join([distribution, component, *([*parts_of_name, stack] if stack else [])])
-
-
-def main_tag(distribution: str, component: str, stack: str | None = None) -> str:
-    """The main tag of an image: `jazzy-base-cu128`."""
-    return "-".join([distribution, component, *([stack] if stack else [])])
-
-
-def spelled_tag(main: str, versions: Mapping[str, str]) -> str:
-    """A main tag with versions by their names in tags: `jazzy-base-cu128-torch2.10.0`; unchanged without any."""
-    return "-".join([main, *(f"{name}{version}" for name, version in versions.items())])
 
 
 def test_target(image: str) -> str:
@@ -115,8 +100,3 @@ def adapted_line(package: str, requirement: str) -> str:
 def wheels_head(distribution: str, architecture: str, python: str) -> str:
     """The first line of the lock of a distribution from wheels."""
     return f"# ROS of {distribution}, Python {python}, {architecture}."
-
-
-def dated(tag: str, date: str) -> str:
-    """The tag of a day, which never moves: `jazzy-base-20261122`."""
-    return f"{tag}-{date[:10].replace('-', '')}"

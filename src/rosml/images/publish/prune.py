@@ -25,7 +25,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed
 from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.model import PARTS, ImageSet
-from rosml.images.matrix.names import DATED
+from rosml.images.matrix.tags import DATED
 from rosml.images.records.store import REPOSITORY, Records, date_of
 from rosml.images.records.tag_moves import UNDO, read_moves
 from rosml.registry.client import Undeletable

@@ -22,7 +22,7 @@ from rosml.images.bake import diff as differences
 from rosml.images.bake import pull_request
 from rosml.images.bake.inputs import Inputs
 from rosml.images.builds import disk
-from rosml.images.image_set import locked
+from rosml.images.image_set import locked, missing_locks
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix.sizes import Size
 from rosml.images.publish import revision
@@ -126,10 +126,10 @@ def test_no_machine_is_planned_where_nothing_is_built_or_tested(
 def test_what_lacks_a_lock_has_a_line_of_its_own(
     registry: Publisher, image_set: ImageSet, project: Path, ci: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    missing_locks = {name for name in image_set.locks if name.endswith("amd64/3.12/torch.txt")}
-    for name in missing_locks:
+    torch_locks = {name for name in image_set.locks if name.endswith("amd64/3.12/torch.txt")}
+    for name in torch_locks:
         (project / name).unlink()
-    lacking = locked.with_locks(image_set, image_set.locks - missing_locks)
+    lacking = locked.with_locks(image_set, image_set.locks - torch_locks)
     images = counted(sum(not image.locked for image in lacking.images), "image")
     run = registry.run(lacking)
     report.print_plan(run.state, why=False)

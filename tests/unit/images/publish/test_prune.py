@@ -17,7 +17,7 @@ from fakes.stubs import services
 from rosml.base import side_by_side
 from rosml.base.errors import RosmlError
 from rosml.images.image_set.model import ImageSet
-from rosml.images.matrix import names
+from rosml.images.matrix.tags import DATED
 from rosml.images.publish.prune import Pruner
 from rosml.images.records import store, tag_moves
 from rosml.registry.oci import Manifest
@@ -279,7 +279,7 @@ def test_looking_asks_at_most_twice_for_an_image_of_a_night(
         before = here.registry.reads
         Pruner(here.place, image_set, FIRST + timedelta(days=100), days, newest).find()
         requests.append(here.registry.reads - before)
-        dated = [tag for name in repositories for tag in here.tagged(name) if names.DATED.search(tag)]
+        dated = [tag for name in repositories for tag in here.tagged(name) if DATED.search(tag)]
         images.append(len(dated))
     more = images[5] - images[1]
     assert more >= 4 * 10, "nights without new images say nothing"

@@ -17,7 +17,7 @@ from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set import labels
 from rosml.images.image_set.labels import TITLE
 from rosml.images.image_set.model import Image, Part, tags_of
-from rosml.images.matrix.names import dated
+from rosml.images.matrix.tags import dated
 from rosml.images.publish.run import Run
 from rosml.images.publish.steps.sign import sign
 from rosml.images.records import store, tag_moves
