@@ -8,7 +8,7 @@ import click
 
 from rosml.base.errors import RosmlError
 from rosml.cli.run import container
-from rosml.run import engine, host, words
+from rosml.run import host, words
 
 
 @click.command(
@@ -37,6 +37,8 @@ def main(context: click.Context, /) -> None:
       rosml attach . ros2 topic list
       rosml attach robot htop
     """
+    from rosml.run import engine
+
     line: words.Line = context.meta[container.LINE]
     if line.image in ("", words.HERE):
         container.enter_folder(line, "rosml attach")

@@ -18,7 +18,7 @@ from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.checkout import Command
-from rosml.run import attach, engine, host, words
+from rosml.run import attach, host, words
 from rosml.run.context import Container, Person
 from rosml.run.plugins.basic_options import FOLDER_LABEL
 
@@ -129,6 +129,8 @@ def become(argv: Sequence[str]) -> NoReturn:
 
 def enter(program: str, line: words.Line, caller: Person, container: Container) -> None:
     """Enters a container, or shows how. If the container has stopped, starts it first. `program` is the engine's command."""
+    from rosml.run import engine
+
     attach.check_state(program, container)
     image = None if line.command else engine.image(program, container.image_id)
     argv = attach.argv(program, line, caller, container, image)
@@ -155,6 +157,8 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
 
 def enter_folder(line: words.Line, command: str) -> None:
     """Enters the container of the current folder. `command` is the call, for messages."""
+    from rosml.run import engine
+
     program, caller = engine.program(os.environ), host.person(os.environ)
     containers = engine.containers(program, FOLDER_LABEL)
     enter(program, line, caller, attach.of_folder(containers, caller.folder, command))

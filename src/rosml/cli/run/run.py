@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import replace
 from functools import cache
+from typing import TYPE_CHECKING
 
 import click
 
@@ -14,15 +15,17 @@ from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 from rosml.cli.run import container, questions
-from rosml.run import attach, defaults, engine, host, variants
+from rosml.run import attach, defaults, host, variants
 from rosml.run.context import Context, Person
 from rosml.run.defaults import Files
-from rosml.run.engine import Facts
 from rosml.run.plan import Plan, make_plan
 from rosml.run.plugin import Plugin
 from rosml.run.plugins import basic_options, gpu
 from rosml.run.plugins.discovery import Discovery, discover
 from rosml.run.words import HERE, Line
+
+if TYPE_CHECKING:
+    from rosml.run.engine import Facts
 
 RESERVED = ("new", "no-defaults", questions.TRUST, "check", "verbose", "dry-run", "json", "export", "add", "help")
 """The command's own options: no plugin may have one of these names, and no file with defaults may set one."""
@@ -110,6 +113,8 @@ def main(context: click.Context, /, export: str | None, add: str | None) -> None
       rosml run
       rosml run . colcon build
     """
+    from rosml.run import engine
+
     line: Line = context.meta[container.LINE]
     _check_words(line)
     caller = host.person(os.environ)
@@ -173,6 +178,8 @@ def enter(line: Line, image: str) -> None:
 def start(program: str, typed: Line, caller: Person, files: Files) -> None:
     """Starts an image, or shows how. If the image is missing, it is pulled, unless the command is only shown. If it runs for
     this folder already, enters that container, which has the options of the files already."""
+    from rosml.run import engine
+
     if typed.asks("verbose"):
         for text in files.summary(typed):
             terminal.echo(text, err=True)
@@ -217,6 +224,8 @@ def _with_variant(
 ) -> tuple[Line, Facts]:
     """The command line with the image for this machine, or one elsewhere, if the typed one exists for several accelerators, and the facts
     about it, also those of the container with the name."""
+    from rosml.run import engine
+
     facts = engine.ask(program, line.image, name)
     if facts.image is None or variants.LABEL not in facts.image.labels:
         return line, facts
@@ -239,6 +248,8 @@ def planned(context: Context, *more: Plugin) -> Plan:
 
 def _context(program: str, line: Line, caller: Person, elsewhere: bool = False) -> Context:
     """The context of an image that the engine must have, as it is not started. `elsewhere`: it will start on another machine."""
+    from rosml.run import engine
+
     line, facts = _with_variant(program, line, caller, elsewhere=elsewhere)
     if facts.image is None:
         raise engine.lacking(program, line.image)
