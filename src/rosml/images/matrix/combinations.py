@@ -94,16 +94,28 @@ def default_stack(matrix: Matrix, distribution: str, framework: str, addon: str 
 def _content_reason(matrix: Matrix, framework: str, stack: str | None, addon: str = "") -> str | None:
     """Does the stack have the parts that the framework and the add-on take?"""
     facts = matrix.carrying(framework, addon)
-    if stack is None or not facts.parts:
-        return _pairing(framework, facts, stack)
-    return (
-        _accelerator(framework, facts, stack, matrix.stacks[stack])
-        or _addon_parts(matrix, addon, stack)
-        or _parts(matrix, framework, facts, stack)
-        or _generation(matrix, facts, stack)
-        or _releases(matrix, facts, stack)
-        or _apart(matrix, framework, facts, stack)
-    )
+    if stack is None:
+        return f"framework {framework} needs a stack" if facts.parts else None
+    if not facts.parts:
+        return f"framework {framework} adds nothing to a ROS image, so it has no stack"
+    entry = matrix.stacks[stack]
+    if entry.accelerator not in facts.accelerators:
+        accelerators = listed(facts.accelerators)
+        return f"framework {framework} needs accelerator {accelerators}, and stack {stack} has {entry.accelerator}"
+    addon_parts = [matrix.part[name] for name in (matrix.addons[addon].parts if addon else ())]
+    if lacking := [part.name for part in addon_parts if part.accelerator not in (None, entry.accelerator)]:
+        return f"stack {stack} has no {listed(lacking)}, which add-on {addon} takes"
+    carried = [matrix.part[name] for name in parts(matrix, facts, entry)]
+    if not carried:
+        return f"stack {stack} has nothing that framework {framework} takes"
+    if other := next((part for part in carried if not part.of_generation(entry.cuda)), None):
+        return f"part {other.name} is for CUDA {listed(list(other.adds))}, and stack {stack} has CUDA {entry.cuda}"
+    released = families(matrix, facts)
+    if lacking := [family for family in released if family not in entry.releases]:
+        return f"stack {stack} has no release of {listed(lacking)}"
+    if entry.apart and len(released) > 1:
+        return f"what framework {framework} needs of stack {stack} does not go together ({entry.apart})"
+    return None
 
 
 @remembered
@@ -153,18 +165,9 @@ def architectures(
     matrix: Matrix, distribution: str, framework: str, stack: str | None, addon: str = ""
 ) -> tuple[str, ...]:
     """Architectures with the same content: those of the distribution for which every release has a wheel."""
-    return _with_wheels(matrix, built_for(matrix, distribution), matrix.carrying(framework, addon), stack)
-
-
-def joined_for(matrix: Matrix, framework: str, stack: str) -> tuple[str, ...]:
-    """Architectures for which every release has a wheel, whatever a distribution is built for."""
-    return _with_wheels(matrix, tuple(matrix.architectures), matrix.frameworks[framework], stack)
-
-
-def _with_wheels(matrix: Matrix, among: Sequence[str], framework: Framework, stack: str | None) -> tuple[str, ...]:
-    allowed = set(among)
+    allowed = set(built_for(matrix, distribution))
     if stack is not None:
-        for _, wheels in _available(matrix, framework, stack):
+        for _, wheels in _available(matrix, matrix.carrying(framework, addon), stack):
             allowed &= set(wheels)
     return tuple(name for name in matrix.architectures if name in allowed)
 
@@ -347,53 +350,6 @@ def runtime(matrix: Matrix, distribution: str, component: str) -> str:
         facts.runtime_of: name for name, facts in matrix.components.items() if facts.runtime_of and name in present
     }
     return next((smaller[link] for link in reversed(chain(matrix, component)) if link in smaller), "")
-
-
-def _pairing(name: str, framework: Framework, stack: str | None) -> str | None:
-    if framework.parts and stack is None:
-        return f"framework {name} needs a stack"
-    if not framework.parts and stack is not None:
-        return f"framework {name} adds nothing to a ROS image, so it has no stack"
-    return None
-
-
-def _accelerator(name: str, framework: Framework, stack: str, facts: Stack) -> str | None:
-    if facts.accelerator in framework.accelerators:
-        return None
-    return f"framework {name} needs accelerator {listed(framework.accelerators)}, and stack {stack} has {facts.accelerator}"
-
-
-def _parts(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
-    parts_of_stack = parts(matrix, framework, matrix.stacks[stack])
-    return None if parts_of_stack else f"stack {stack} has nothing that framework {name} takes"
-
-
-def _addon_parts(matrix: Matrix, addon: str, stack: str) -> str | None:
-    addon_parts = matrix.addons[addon].parts if addon else ()
-    lacking = [
-        name for name in addon_parts if matrix.part[name].accelerator not in (None, matrix.stacks[stack].accelerator)
-    ]
-    return f"stack {stack} has no {listed(lacking)}, which add-on {addon} takes" if lacking else None
-
-
-def _generation(matrix: Matrix, framework: Framework, stack: str) -> str | None:
-    cuda = matrix.stacks[stack].cuda
-    for part in parts(matrix, framework, matrix.stacks[stack]):
-        if not matrix.part[part].of_generation(cuda):
-            return f"part {part} is for CUDA {listed(list(matrix.part[part].adds))}, and stack {stack} has CUDA {cuda}"
-    return None
-
-
-def _releases(matrix: Matrix, framework: Framework, stack: str) -> str | None:
-    lacking = [family for family in families(matrix, framework) if family not in matrix.stacks[stack].releases]
-    return f"stack {stack} has no release of {listed(lacking)}" if lacking else None
-
-
-def _apart(matrix: Matrix, name: str, framework: Framework, stack: str) -> str | None:
-    reason = matrix.stacks[stack].apart
-    if reason is None or len(families(matrix, framework)) < 2:
-        return None
-    return f"what framework {name} needs of stack {stack} does not go together ({reason})"
 
 
 def _python(matrix: Matrix, os: str, framework: Framework, stack: Stack) -> str | None:

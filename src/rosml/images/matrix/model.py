@@ -459,26 +459,19 @@ class Matrix(Facts):
         """The answers that `rules.remembered` keeps: a matrix never changes, so they stay true."""
         return {}
 
-    @cached_property
-    def _carrying(self) -> dict[tuple[str, str], Framework]:
-        return {}
-
     def carrying(self, framework: str, addon: str = "") -> Framework:
         """A framework, with the parts of an add-on and those that they need, in the order in which they are joined."""
-        if not addon:
-            return self.frameworks[framework]
-        if (framework, addon) not in self._carrying:
-            self._carrying[framework, addon] = self._with_addon(framework, addon)
-        return self._carrying[framework, addon]
-
-    def _with_addon(self, framework: str, addon: str) -> Framework:
         facts = self.frameworks[framework]
-        names = {*facts.parts, *self.needed(self.addons[addon].parts)}
-        return Framework(
-            repository=f"{facts.repository}-{addon}",
-            parts=tuple(part.name for part in self.parts if part.name in names),
-            accelerators=facts.accelerators,
-        )
+        if not addon:
+            return facts
+        key = Framework, framework, addon
+        if key not in self.answers:
+            names = {*facts.parts, *self.needed(self.addons[addon].parts)}
+            parts = tuple(part.name for part in self.parts if part.name in names)
+            repository = f"{facts.repository}-{addon}"
+            self.answers[key] = Framework(repository=repository, parts=parts, accelerators=facts.accelerators)
+        framework_with_addon: Framework = self.answers[key]
+        return framework_with_addon
 
     def release(self, stack: str, family: str) -> Release:
         return self.releases[family][self.stacks[stack].releases[family]]

@@ -12,6 +12,7 @@ from rosml.images.matrix import names, registries
 from rosml.images.matrix.combinations import NVIDIA
 from rosml.images.matrix.model import Distribution, Matrix, OperatingSystem, PartEntry, Release, Stack
 from rosml.images.matrix.patterns import SLOTS
+from rosml.images.matrix.sizes import Size
 
 Finding = tuple[KeyPath, str]
 """A problem's path and its text."""
@@ -41,18 +42,21 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
         yield from check(matrix)
 
 
-def _each(path: KeyPath, kind: str, used: Iterable[str], allowed: Iterable[str]) -> Iterator[Finding]:
-    allowed = dict.fromkeys(allowed)
+def _one(path: KeyPath, kind: str, name: str, allowed: Collection[str]) -> Iterator[Finding]:
+    """A name that is used at `path` exists."""
+    if name not in allowed:
+        yield path, unknown(kind, name, allowed)
+
+
+def _each(path: KeyPath, kind: str, used: Iterable[str], allowed: Collection[str]) -> Iterator[Finding]:
+    """All names of a list, or all keys, exist."""
     for index, name in enumerate(used):
-        if name not in allowed:
-            yield (*path, index), unknown(kind, name, allowed)
+        yield from _one((*path, name if isinstance(used, Mapping) else index), kind, name, allowed)
 
 
 def _default(matrix: Matrix) -> Iterator[Finding]:
     """The assembler exists. (Images of `default` are checked against the whole image set.)"""
-    assembler = matrix.default.assembler
-    if assembler not in matrix.operating_systems:
-        yield ("default", "assembler"), unknown("operating system", assembler, matrix.operating_systems)
+    yield from _one(("default", "assembler"), "operating system", matrix.default.assembler, matrix.operating_systems)
 
 
 def _axes(matrix: Matrix) -> Iterator[Finding]:
@@ -122,29 +126,27 @@ def _same_python(matrix: Matrix) -> Iterator[Finding]:
 
 def _components(matrix: Matrix) -> Iterator[Finding]:
     for name, component in matrix.components.items():
-        if component.builds_on and component.builds_on not in matrix.components:
-            yield ("components", name, "builds_on"), unknown("component", component.builds_on, matrix.components)
+        builds_on: KeyPath = ("components", name, "builds_on")
+        runtime_of: KeyPath = ("components", name, "runtime_of")
+        if component.builds_on:
+            yield from _one(builds_on, "component", component.builds_on, matrix.components)
         if facts := component.runtime_of:
-            if facts not in matrix.components:
-                yield ("components", name, "runtime_of"), unknown("component", facts, matrix.components)
-            elif matrix.components[facts].runtime_of:
-                text = f"{facts} is a runtime itself; name the component with the compilers"
-                yield ("components", name, "runtime_of"), text
-            others = [other for other, it in matrix.components.items() if it.runtime_of == facts]
-            if others[0] != name:
-                yield ("components", name, "runtime_of"), f"{others[0]} is that of {facts} already; remove one of them"
+            yield from _one(runtime_of, "component", facts, matrix.components)
+            if facts in matrix.components and matrix.components[facts].runtime_of:
+                yield runtime_of, f"{facts} is a runtime itself; name the component with the compilers"
+            first = next(other for other, it in matrix.components.items() if it.runtime_of == facts)
+            if first != name:
+                yield runtime_of, f"{first} is that of {facts} already; remove one of them"
         lower = matrix.components.get(component.builds_on or "")
         if lower and bool(lower.runtime_of) != bool(component.runtime_of):
-            text = "one of them has runtime_of, and the other has not: both must have it, or none"
-            yield ("components", name, "builds_on"), text
+            yield builds_on, "one of them has runtime_of, and the other has not: both must have it, or none"
         chain: list[str] = []
         below: str | None = name
         while below in matrix.components and below not in chain:
             chain.append(below)
             below = matrix.components[below].builds_on
         if below == name:
-            way = " -> ".join([*chain, name])
-            yield ("components", name, "builds_on"), f"a cycle: {way}; one of them must build on nothing"
+            yield builds_on, f"a cycle: {' -> '.join([*chain, name])}; one of them must build on nothing"
             return
 
 
@@ -195,12 +197,8 @@ def _addons(matrix: Matrix) -> Iterator[Finding]:
         for stack, systems in addon.systems.items():
             yield from _each((*path, "systems", stack), "operating system", systems, matrix.operating_systems)
         if addon.tags:
-            for key, section in (
-                ("distributions", matrix.distributions),
-                ("components", matrix.components),
-                ("stacks", matrix.stacks),
-            ):
-                yield from _each((*path, "tags", key), key[:-1], getattr(addon.tags, key), section)
+            for key in ("distributions", "components", "stacks"):
+                yield from _each((*path, "tags", key), key[:-1], getattr(addon.tags, key), getattr(matrix, key))
 
 
 def _parts(matrix: Matrix) -> Iterator[Finding]:
@@ -218,9 +216,9 @@ def _parts(matrix: Matrix) -> Iterator[Finding]:
         seen.add(part.name)
         yield from _each((*path, "needs"), "part", part.needs, matrix.part)
         yield from _slot(path, part, slots)
-        if part.release and part.release not in matrix.releases:
-            yield (*path, "release"), unknown("release", part.release, matrix.releases)
-        elif part.release and part.release not in matrix.part:
+        if part.release:
+            yield from _one((*path, "release"), "release", part.release, matrix.releases)
+        if part.release in matrix.releases and part.release not in matrix.part:
             yield (*path, "release"), f"a part of the name {part.release} holds what only it needs; add one to 'parts'"
         for generation, packages in part.adds.items():
             for place, package in enumerate(packages):
@@ -251,33 +249,28 @@ def _releases(matrix: Matrix) -> Iterator[Finding]:
                 f"no part is a release of it; add one to 'parts': {{name: {family}, release: {family}}}",
             )
         for version, release in releases.items():
+            path: KeyPath = ("releases", family, version)
+            yield from _each((*path, "wheels"), "stack", release.wheels, matrix.stacks)
             for stack, architectures in release.wheels.items():
-                path: KeyPath = ("releases", family, version, "wheels", stack)
-                if stack not in matrix.stacks:
-                    yield path, unknown("stack", stack, matrix.stacks)
-                yield from _each(path, "architecture", architectures, matrix.architectures)
-            yield from _each(("releases", family, version, "gpus"), "architecture", release.gpus, matrix.architectures)
-            yield from _elsewhere(matrix, ("releases", family, version), release)
+                yield from _each((*path, "wheels", stack), "architecture", architectures, matrix.architectures)
+            yield from _each((*path, "gpus"), "architecture", release.gpus, matrix.architectures)
+            yield from _elsewhere(matrix, path, release)
 
 
 def _elsewhere(matrix: Matrix, path: KeyPath, release: Release) -> Iterator[Finding]:
     """Wheels on PyTorch's own index are nowhere else, are for the CPU, and their requirements are known."""
     if bool(release.elsewhere) != bool(release.requires):
         yield (*path, "requires"), "'requires' belongs to 'elsewhere': the requirements of just those wheels"
+    yield from _each((*path, "elsewhere"), "stack", release.elsewhere, matrix.stacks)
     for stack, wheels in release.elsewhere.items():
         here: KeyPath = (*path, "elsewhere", stack)
-        if stack not in matrix.stacks:
-            yield here, unknown("stack", stack, matrix.stacks)
-        elif matrix.stacks[stack].accelerator != "cpu":
+        if stack in matrix.stacks and matrix.stacks[stack].accelerator != "cpu":
             yield here, f"stack {stack} is not one of the CPU; wheels with CUDA are on the Python package index"
+        yield from _each(here, "architecture", wheels, matrix.architectures)
         for architecture, digests in wheels.items():
-            if architecture not in matrix.architectures:
-                yield (*here, architecture), unknown("architecture", architecture, matrix.architectures)
             if architecture in release.wheels.get(stack, ()):
                 yield (*here, architecture), f"'wheels' names {architecture} for stack {stack} already; keep one"
-            for python in digests:
-                if python not in release.python:
-                    yield (*here, architecture, python), unknown("Python of this release", python, release.python)
+            yield from _each((*here, architecture), "Python of this release", digests, release.python)
 
 
 def _stacks(matrix: Matrix) -> Iterator[Finding]:
@@ -307,16 +300,13 @@ def _released(matrix: Matrix, name: str, family: str) -> Iterator[Finding]:
     path: KeyPath = ("stacks", name)
     stack, releases = matrix.stacks[name], matrix.releases.get(family)
     version = stack.releases[family]
+    yield from _one((*path, "releases", family), "release", family, matrix.releases)
     if releases is None:
-        yield (*path, "releases", family), unknown("release", family, matrix.releases)
         return
-    if version not in releases:
-        yield (*path, "releases", family), unknown(f"release of {family}", version, releases)
+    yield from _one((*path, "releases", family), f"release of {family}", version, releases)
     package = stack.packages.get(family)
-    for architecture in package if isinstance(package, dict) else ():
-        if architecture not in matrix.architectures:
-            problem = unknown("architecture", architecture, matrix.architectures)
-            yield (*path, "packages", family, architecture), problem
+    if isinstance(package, dict):
+        yield from _each((*path, "packages", family), "architecture", package, matrix.architectures)
     wheels = releases[version].architectures(name) if version in releases else ()
     names = package if isinstance(package, dict) else dict.fromkeys(wheels)
     for architecture in wheels:
@@ -328,13 +318,12 @@ def _released(matrix: Matrix, name: str, family: str) -> Iterator[Finding]:
 def _distributions(matrix: Matrix) -> Iterator[Finding]:
     for name, distribution in matrix.distributions.items():
         path: KeyPath = ("distributions", name)
-        if distribution.os not in matrix.operating_systems:
-            yield (*path, "os"), unknown("operating system", distribution.os, matrix.operating_systems)
+        yield from _one((*path, "os"), "operating system", distribution.os, matrix.operating_systems)
         yield from _each((*path, "components"), "component", distribution.components, matrix.components)
-        one = isinstance(distribution.default_stack, str)
-        for index, stack in enumerate(distribution.default_stacks):
-            if stack not in matrix.stacks:
-                yield (*path, "default_stack", *(() if one else (index,))), unknown("stack", stack, matrix.stacks)
+        if isinstance(distribution.default_stack, str):
+            yield from _one((*path, "default_stack"), "stack", distribution.default_stack, matrix.stacks)
+        else:
+            yield from _each((*path, "default_stack"), "stack", distribution.default_stack, matrix.stacks)
         if distribution.lts and distribution.eol is None:
             yield (*path, "lts"), "a long-term release has an end of life; add 'eol: …'"
         packages = distribution.packages or ""
@@ -349,11 +338,8 @@ def _distributions(matrix: Matrix) -> Iterator[Finding]:
         if distribution.apt and matrix.ros_archive is None:
             text = "ROS's apt repositories have no address; add 'ros_archive: {live: …, snapshot: …, apt_source: …}'"
             yield (*path, "apt"), text
-        if (
-            distribution.apt
-            and distribution.apt.channel == "testing"
-            and not (matrix.ros_archive and matrix.ros_archive.testing)
-        ):
+        testing = matrix.ros_archive and matrix.ros_archive.testing
+        if distribution.apt and distribution.apt.channel == "testing" and not testing:
             yield (*path, "apt"), "ROS's testing repository has no address; add 'testing: …' to ros_archive"
         for key in ("rmw", "usual_rmw"):
             if getattr(distribution, key) and distribution.ros == 1:
@@ -435,26 +421,18 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
     yield from _forecasts(
         ("disk", "components"), "component", matrix.disk.components, matrix.components, matrix.components
     )
-    for name in matrix.disk.parts:
-        if name not in matrix.stacks:
-            yield ("disk", "parts", name), unknown("stack", name, matrix.stacks)
-    together = [
-        *(facts.parts for facts in matrix.frameworks.values()),
-        *(facts.parts for facts in matrix.addons.values()),
-    ]
+    yield from _each(("disk", "parts"), "stack", matrix.disk.parts, matrix.stacks)
+    together = [facts.parts for facts in (*matrix.frameworks.values(), *matrix.addons.values())]
     for name, stack in matrix.stacks.items():
         candidates = [[matrix.part[part] for part in parts if part in matrix.part] for parts in together]
         available = [parts for parts in candidates if all(part.release in (None, *stack.releases) for part in parts)]
         used = matrix.needed(part.name for parts in available for part in parts)
         needed = [part.name for part in matrix.parts if part.name in used and _has(stack, part)]
-        yield from _forecasts(("disk", "parts", name), "part", matrix.disk.parts.get(name, ()), matrix.part, needed)
+        yield from _forecasts(("disk", "parts", name), "part", matrix.disk.parts.get(name, {}), matrix.part, needed)
     carrying = [*(name for name, facts in matrix.frameworks.items() if facts.parts), *matrix.addons]
+    yield from _each(("disk", "budgets"), "stack", matrix.disk.budgets, matrix.stacks)
     for name, budgets in matrix.disk.budgets.items():
-        if name not in matrix.stacks:
-            yield ("disk", "budgets", name), unknown("stack", name, matrix.stacks)
-        for framework in budgets:
-            if framework not in carrying:
-                yield ("disk", "budgets", name, framework), unknown("framework or add-on", framework, carrying)
+        yield from _each(("disk", "budgets", name), "framework or add-on", budgets, carrying)
 
 
 def _has(stack: Stack, part: PartEntry) -> bool:
@@ -463,12 +441,10 @@ def _has(stack: Stack, part: PartEntry) -> bool:
 
 
 def _forecasts(
-    path: KeyPath, kind: str, forecasts: Collection[str], allowed: Collection[str], needed: Collection[str]
+    path: KeyPath, kind: str, forecasts: Mapping[str, Size], allowed: Collection[str], needed: Collection[str]
 ) -> Iterator[Finding]:
     """Everything that is needed has a forecast, and nothing unknown has one."""
-    for name in forecasts:
-        if name not in allowed:
-            yield (*path, name), unknown(kind, name, allowed)
+    yield from _each(path, kind, forecasts, allowed)
     for name in needed:
         if name not in forecasts:
             yield (

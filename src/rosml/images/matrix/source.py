@@ -22,6 +22,8 @@ from rosml.base.problems import InputError, KeyPath, Problem, dotted
 
 _TAG = "tag:yaml.org,2002:"
 _INTEGER = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})")
+_LOGIN = re.compile(r"""((?<=//)|[^\s/'"]+:)([^'"]*|\S*)@(?!sha256:)""")
+"""The user and password of an address: `me:secret@`. A password may have any letter."""
 
 
 @dataclass(frozen=True)
@@ -56,10 +58,11 @@ class Document:
         return self.places.get(path, Place(1, 1))
 
     def problem(self, path: KeyPath, text: str) -> Problem:
-        """A problem with the value at `path`."""
+        """A problem with the value at `path`. The text may quote the value: passwords are masked."""
         place = self.place(path)
         called = self.called.get(path[:2])
-        return Problem(place.line, place.column, dotted(path[2:], called) if called else dotted(path), text)
+        name = dotted(path[2:], called) if called else dotted(path)
+        return Problem(place.line, place.column, name, _LOGIN.sub("***@", text))
 
 
 LEAST = "version: 1"

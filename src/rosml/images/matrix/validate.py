@@ -9,6 +9,7 @@ from datetime import date
 from typing import Any, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, ValidationError
+from pydantic.fields import FieldInfo
 
 from rosml.base.problems import InputError, KeyPath, Problem, listed, near
 from rosml.images.matrix.model import Matrix
@@ -65,12 +66,15 @@ def _problem(document: Document, error: Any, top: type[BaseModel], meaning: Mapp
     kind: str = error["type"]
     path, of_key = _path(document, error["loc"], kind)
     if kind == "missing":
-        return document.problem(path[:-1], f"'{path[-1]}' is missing; add '{path[-1]}: …'{_purpose(path, top)}")
+        field = _fields(path[:-1], top).get(str(path[-1]))
+        purpose = f" ({field.description})" if field and field.description else ""
+        return document.problem(path[:-1], f"'{path[-1]}' is missing; add '{path[-1]}: …'{purpose}")
     if kind == "extra_forbidden":
         return document.problem(path, _join(f"unknown key {path[-1]!r}", near(str(path[-1]), _fields(path[:-1], top))))
     value = path[-1] if of_key else error["input"]
     written = document.place(path).text if not of_key else ""
-    pattern = _pattern(path, top)
+    field = _fields(path[:-1], top).get(str(path[-1])) if path else None
+    pattern = next((it.pattern for it in field.metadata if getattr(it, "pattern", "")), "") if field else ""
     scalar = not isinstance(value, (tuple, Mapping))
     if kind == "string_type" and scalar and pattern in meaning and not re.search(pattern, written):  # in quotes neither
         return document.problem(path, f"expected {meaning[pattern]}, found {_described(value, written)}")
@@ -155,29 +159,17 @@ def _example(path: KeyPath, kind: str, top: type[BaseModel]) -> str:
     """What a value looks like whose kind is wrong: `'app: …'` for keys and values, `'- app: …'` or `[a, b]` for a list."""
     if kind not in ("model_type", "tuple_type", "too_short"):
         return ""
-    model = _model(path if kind == "model_type" else (*path, 0), top)
-    key = next((name for name, it in model.model_fields.items() if it.is_required()), "") if model else ""
+    fields = _fields(path if kind == "model_type" else (*path, 0), top)
+    key = next((name for name, field in fields.items() if field.is_required()), "")
     if kind == "model_type":
         return f"'{key}: …'" if key else ""
     return f"'- {key}: …'" if key else "[a, b]"
 
 
-def _pattern(path: KeyPath, top: type[BaseModel]) -> str:
-    model = _model(path[:-1], top) if path else None
-    field = model.model_fields.get(str(path[-1])) if model else None
-    patterns = (getattr(it, "pattern", None) for it in field.metadata) if field else iter(())
-    return next((it for it in patterns if it), "")
-
-
-def _fields(path: KeyPath, top: type[BaseModel]) -> list[str]:
+def _fields(path: KeyPath, top: type[BaseModel]) -> Mapping[str, FieldInfo]:
+    """The fields of the model at a path; none if another type is there."""
     model = _model(path, top)
-    return list(model.model_fields) if model else []
-
-
-def _purpose(path: KeyPath, top: type[BaseModel]) -> str:
-    model = _model(path[:-1], top)
-    field = model.model_fields.get(str(path[-1])) if model else None
-    return f" ({field.description})" if field and field.description else ""
+    return model.model_fields if model else {}
 
 
 def _model(path: KeyPath, top: type[BaseModel]) -> type[BaseModel] | None:
