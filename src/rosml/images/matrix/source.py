@@ -22,8 +22,6 @@ from rosml.base.problems import InputError, KeyPath, Problem, dotted
 
 _TAG = "tag:yaml.org,2002:"
 _INTEGER = re.compile(r"[-+]?(0|[1-9][0-9]{0,17})")
-_LOGIN = re.compile(r"""((?<=//)|[^\s/'"]+:)([^'"]*|\S*)@(?!sha256:)""")
-"""The user and password of an address: `me:secret@`. A password may have any letter."""
 
 
 @dataclass(frozen=True)
@@ -58,11 +56,18 @@ class Document:
         return self.places.get(path, Place(1, 1))
 
     def problem(self, path: KeyPath, text: str) -> Problem:
-        """A problem with the value at `path`. The text may quote the value: passwords are masked."""
+        """A problem with the value at `path`."""
         place = self.place(path)
         called = self.called.get(path[:2])
-        name = dotted(path[2:], called) if called else dotted(path)
-        return Problem(place.line, place.column, name, _LOGIN.sub("***@", text))
+        return Problem(place.line, place.column, dotted(path[2:], called) if called else dotted(path), text)
+
+
+def quoted(value: str) -> str:
+    """A value in quotes, for messages; an address without its user and password."""
+    address, at_digest, digest = value.partition("@sha256:")
+    login, at, host = address.rpartition("@")
+    scheme = f"{login.partition('//')[0]}//" if "//" in login else ""
+    return repr(f"{scheme}***@{host}{at_digest}{digest}" if at else value)
 
 
 LEAST = "version: 1"
@@ -177,7 +182,7 @@ def _value(document: Document, path: KeyPath, node: Any) -> Any:
             below = (*path, index)
             document.places[below] = _place(item, text := _text(item))
             if text and text in seen:
-                document.problems.append(document.problem(below, f"{text!r} is there twice; keep one"))
+                document.problems.append(document.problem(below, f"{quoted(text)} is there twice; keep one"))
             seen.add(text)
             items.append(_value(document, below, item))
         return tuple(items)
@@ -241,7 +246,6 @@ def _scalar(document: Document, path: KeyPath, node: Any) -> Any:
             return text
     if kind in ("bool", "int"):
         remedy = "write true or false" if kind == "bool" else "write it in decimal digits"
-        quoted = f'; or, if text is meant, in quotes: "{text}"'
-        text = f"YAML reads {text} as {_KINDS[kind]}; {remedy}{quoted}"
-        document.problems.append(document.problem(path, text))
+        problem = f'YAML reads {text} as {_KINDS[kind]}; {remedy}; or, if text is meant, in quotes: "{text}"'
+        document.problems.append(document.problem(path, problem))
     return node.value

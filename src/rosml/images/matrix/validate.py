@@ -15,7 +15,7 @@ from rosml.base.problems import InputError, KeyPath, Problem, listed, near
 from rosml.images.matrix.model import Matrix
 from rosml.images.matrix.patterns import MEANING
 from rosml.images.matrix.references import findings
-from rosml.images.matrix.source import Document
+from rosml.images.matrix.source import Document, quoted
 
 Top = TypeVar("Top", bound=BaseModel)
 """The model of a whole file."""
@@ -90,8 +90,8 @@ def _first_errors(details: Sequence[Any]) -> list[Any]:
 def _complaint(error: Any, value: Any, written: str, meaning: Mapping[str, str], example: str) -> str:
     kind, context, otherwise = error["type"], error.get("ctx", {}), error["msg"]
     if kind == "string_type":
-        quoted = isinstance(value, (int, float, date)) and written
-        remedy = f'write it in quotes: "{written}"' if quoted else ""
+        is_plain = isinstance(value, (int, float, date)) and written
+        remedy = f'write it in quotes: "{written}"' if is_plain else ""
         if isinstance(value, tuple):
             remedy = "write it without brackets"
         return _join(f"expected text, found {_described(value, written)}", remedy)
@@ -131,7 +131,7 @@ def _described(value: Any, written: str = "") -> str:
     if isinstance(value, Sequence) and not isinstance(value, str):
         return "a list"
     if isinstance(value, str):
-        return repr(value)
+        return quoted(value)
     kind = "a date" if isinstance(value, date) else "the number" if not isinstance(value, bool) else ""
     return f"{kind} {written or value}".strip()
 
