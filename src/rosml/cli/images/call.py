@@ -154,13 +154,9 @@ class Call:
         return load.load(self.matrix, ROOT)
 
     def survey(self, reading: bool = False, turn: bool = False) -> State:
-        """Asks the registry and the package repositories for the state of the requested images.
-
-        Args:
-            reading: nothing will be built. Then the ROS images and parts below are judged on all of their
-                architectures, and if a registry is named, no service of this machine is needed.
-            turn: wait until no other run of this checkout is under way. Errors in the options come before that.
-        """
+        """Asks the registry and the package repositories for the state of the requested images. `reading`: nothing will be built, so what
+        is below is judged on all of its architectures, and a named registry needs no service of this machine. `turn`: waits until no other
+        run of this checkout is under way, after errors in the options."""
         from rosml.base import clock
         from rosml.images.image_set import selection
         from rosml.images.publish.state import Request

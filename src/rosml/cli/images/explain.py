@@ -59,11 +59,7 @@ def main(name: str, addons: str, matrix: Path, as_json: bool) -> None:
 
 
 def _with_addons(image_set: ImageSet, name: str, text: str) -> Explained:
-    """Whether an image can have add-ons: by its labels and the parts beside it if it is in a registry, or else by the matrix.
-
-    Raises:
-        RosmlError: there is no such image (exit code 2), or a registry does not answer or refuses.
-    """
+    """Whether an image can have add-ons: by its labels and the parts beside it if it is in a registry, or else by the matrix."""
     from rosml.containerize.base_image import addons
     from rosml.containerize.base_image import base as app_base
     from rosml.images.image_set import explain

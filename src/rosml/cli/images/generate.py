@@ -79,11 +79,8 @@ def generated(image_set: ImageSet, output: Path | None) -> dict[Path, str]:
 
 
 def write(contents: dict[Path, str], lost: RosmlError | None = None, within: Path | None = None) -> None:
-    """Writes the files that changed, and warns of lost locks: images without locks are in no group.
-
-    Args:
-        within: the folder that links may not lead out of; None for a file that the user named.
-    """
+    """Writes the files that changed, and warns of lost locks: images without locks are in no group. `within` is the folder that links may
+    not lead out of; None for a file that the user named."""
     changed = files.write_all(contents, within)
     for file in contents:
         terminal.echo(f"{files.shown(file)}: {'written' if file in changed else 'is up to date'}", err=True)

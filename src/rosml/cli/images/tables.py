@@ -11,7 +11,6 @@ from rosml.base import github, terminal
 from rosml.base.problems import counted, some
 from rosml.base.terminal import Cell
 from rosml.images.image_set import missing_locks
-from rosml.images.image_set.facts import facts
 from rosml.images.image_set.model import Image
 
 if TYPE_CHECKING:  # a table of images needs none of them
@@ -57,7 +56,7 @@ def print_difference(difference: Difference) -> None:
 
 def images_as_json(inputs: Inputs, images: Sequence[Image]) -> str:
     """Images with the digests of their inputs by architecture."""
-    return json.dumps([{**facts(image), "inputs": inputs.digests(image)} for image in images], indent=2) + "\n"
+    return json.dumps([{**image.to_json(), "inputs": inputs.digests(image)} for image in images], indent=2) + "\n"
 
 
 CONTENT = 20

@@ -89,7 +89,7 @@ def places(matrix: Matrix) -> Iterator[Place]:
                     kind = _kind(matrix, name, framework, stack)
                     for component in matrix.components:
                         if component in distribution.present:
-                            yield _place(matrix, kind, component, latest)
+                            yield Place(kind, component, _tags(matrix, kind, component, latest))
     for addon in matrix.addons:
         yield from _with_addon(matrix, addon, latest)
 
@@ -107,16 +107,14 @@ def _with_addon(matrix: Matrix, addon: str, latest: str | None) -> Iterator[Plac
                 if combinations.stack_reason(matrix, name, framework, stack, addon):
                     continue
                 kind = _kind(matrix, name, framework, stack, addon)
-                alone = framework == bare
-                listed = bool(tagged and alone and name in tagged.distributions and stack in tagged.stacks)
-                chosen = [*(tagged.components if tagged and listed else ())]
-                if (framework, python) not in seen or listed:
-                    chosen += [component for component in _lowest(matrix, name)[:1] if component not in chosen]
+                is_listed = tagged and framework == bare and name in tagged.distributions and stack in tagged.stacks
+                with_tags = tagged.components if tagged and is_listed else ()
+                tests = _lowest(matrix, name)[:1] if is_listed or (framework, python) not in seen else []
                 seen.add((framework, python))
                 for component in matrix.components:
-                    if component in chosen and component in distribution.present:
-                        tagged_component = bool(tagged and listed and component in tagged.components)
-                        yield _place(matrix, kind, component, latest, tagged_component)
+                    if component in (*with_tags, *tests) and component in distribution.present:
+                        tags = _tags(matrix, kind, component, latest) if component in with_tags else ()
+                        yield Place(kind, component, tags)
 
 
 @combinations.remembered
@@ -177,15 +175,6 @@ def _kind(matrix: Matrix, name: str, framework: str, stack: str | None, addon: s
         short,
         addon,
         combinations.gpu(matrix, stack, kinds),
-    )
-
-
-def _place(matrix: Matrix, kind: Kind, component: str, latest: str | None, tagged: bool = True) -> Place:
-    aliases = matrix.distributions[kind.distribution].aliases
-    return Place(
-        kind,
-        component,
-        _tags(kind, aliases, component, kind.distribution == latest) if tagged else (),
     )
 
 
@@ -309,10 +298,11 @@ def _packages(matrix: Matrix, name: str, distribution: Distribution, component: 
     return (distribution.packages or "").format(component=component, metapackage=metapackage, ros_distro=ros_distro)
 
 
-def _tags(kind: Kind, aliases: tuple[str, ...], component: str, latest: bool) -> tuple[str, ...]:
-    rows, versions = (kind.distribution, *aliases), labels.spelled(kind.brought)
+def _tags(matrix: Matrix, kind: Kind, component: str, latest: str | None) -> tuple[str, ...]:
+    rows = (kind.distribution, *matrix.distributions[kind.distribution].aliases)
+    versions = labels.spelled(kind.brought)
     tags = [tag for row in rows for tag in full_tags(row, component, kind.stack, versions)]
-    short = short_tags(rows, component, latest) if kind.short else ()
+    short = short_tags(rows, component, kind.distribution == latest) if kind.short else ()
     return tuple(f"{kind.facts.repository}:{tag}" for tag in (*tags, *short))
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import unknown
@@ -62,6 +63,13 @@ class Wheels:
     requirements: tuple[str, ...]
     architectures: tuple[str, ...]
     locks: tuple[str, ...]
+
+
+_IN_JSON = (
+    *("target", "distribution", "component", "framework", "addons", "stack", "os", "python", "ros", "ros_distro"),
+    *("platforms", "versions", "repository", "tags", "groups", "parent", "packages", "wheels", "parts", "locks"),
+    *("locked", "tests", "disk"),
+)
 
 
 @dataclass(frozen=True)
@@ -154,6 +162,12 @@ class Image:
     def test_target(self) -> str:
         """The bake target that tests it."""
         return names.test_target(self.target)
+
+    def to_json(self) -> dict[str, Any]:
+        """For `rosml list --json`. Tags are without the registry, sizes in MB."""
+        disk = {"unpacked": self.disk.unpacked, "compressed": self.disk.compressed}
+        facts = {name: getattr(self, name) for name in _IN_JSON}
+        return {**facts, "packages": self.packages.split(), "disk": disk}
 
 
 @dataclass(frozen=True)

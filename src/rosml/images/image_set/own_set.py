@@ -54,19 +54,8 @@ def chosen(
     source: str,
     accelerator: str = "",
 ) -> Chosen:
-    """A small set: the components up to that of rosml's default image, for its stack and for the CPU.
-
-    Args:
-        image_set: rosml's own.
-        distributions: those to keep; that of rosml's default image if none is named.
-        frameworks: those to keep beside images without one; that of rosml's default image if none is named.
-        registry: where images go.
-        source: the address of the set's repository; may be empty.
-        accelerator: `cuda` or `cpu`: only stacks with it; both if empty.
-
-    Raises:
-        RosmlError: rosml does not have them (exit code 2).
-    """
+    """A small set out of rosml's own: the components up to that of rosml's default image, for its stack and for the CPU. What is empty is
+    as in that image. Raises a RosmlError if rosml does not have it."""
     matrix = image_set.matrix
     default = image_set.image(matrix.default.targets[0])
     distributions = tuple(dict.fromkeys(distributions)) or (default.distribution,)

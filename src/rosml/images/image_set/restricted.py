@@ -80,20 +80,8 @@ def of(matrix: Matrix, parts: Iterable[str]) -> tuple[str, ...]:
 def refused(
     image_set: ImageSet, images: Iterable[Image], host: str, repository: str
 ) -> tuple[dict[str, RosmlError], str]:
-    """The images that may not go to a registry, by their targets, each with the error that says so; and what to tell the user about
-    the others, as `require` gives it.
-
-    All other images of the set are everything that this registry may have: a run over these is a whole one.
-
-    Args:
-        image_set: what the owner of the set declared is in its matrix.
-        images: images of the set.
-        host: the registry, with its port if it has one.
-        repository: the path in it.
-
-    Raises:
-        RosmlError: the variable with private registries is wrong (exit code 2).
-    """
+    """The images that may not go to a repository of a registry, by their targets, each with the error that says so; and what to tell
+    the user about the others, as `require` gives it. A run over these others is a whole one: the registry may have no more."""
     declared, errors, note = Declared.of(image_set.matrix), dict[str, RosmlError](), ""
     for image in images:
         parts = of(image_set.matrix, [image_set.part_by_name[name].kind for name in image.parts])
@@ -105,20 +93,8 @@ def refused(
 
 
 def require(parts: Sequence[str], what: str, host: str, repository: str, declared: Declared) -> str:
-    """Checks that restricted parts may go to a registry.
-
-    Args:
-        parts: restricted parts of an image.
-        what: the image, for the message.
-        host: the registry, with its port if it has one.
-        repository: the path in it.
-
-    Returns:
-        What to tell the user: that they declared to have the rights. Empty if there is nothing to tell.
-
-    Raises:
-        RosmlError: the registry is not declared private (exit code 2).
-    """
+    """Checks that restricted parts of an image, `what`, may go to a repository of a registry. Returns what to tell the user: that they
+    declared to have the rights; empty if there is nothing to tell. Raises a RosmlError if the registry is not declared private."""
     if not parts or declared.keeps(host):
         return ""
     has = f"{what} has the restricted part{'s' * (len(parts) > 1)} {some(parts)}"

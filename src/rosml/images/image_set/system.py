@@ -96,18 +96,8 @@ def _bare_name(image: str) -> str:
 def choose(
     image_set: ImageSet, system: System, name: str, ros_distro: str, component: str, architectures: Collection[str]
 ) -> Image:
-    """The ROS image whose ROS we install on an image that is not ours.
-
-    Args:
-        system: the system of that image.
-        name: the image's name.
-        ros_distro: the distribution that the user names; empty if they name none.
-        component: the component of ROS, such as `core`.
-        architectures: the wanted architectures.
-
-    Raises:
-        RosmlError: nothing fits (exit code 2); the message says what would.
-    """
+    """The ROS image whose ROS we install on an image that is not ours, `name`. `ros_distro` is empty if the user names none. Raises a
+    RosmlError if nothing fits: it says what would."""
     matrix = image_set.matrix
     what = f"{name} is {system.title or system.id}" if system.id else f"{name} does not say which system it has"
     if lacking := [thing for thing in NEEDED if thing not in system.tools]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from itertools import product
 from pathlib import Path
 
@@ -12,7 +13,6 @@ from rosml.base.errors import RosmlError
 from rosml.images.image_set import selection
 from rosml.images.image_set.explain import explained, why_not
 from rosml.images.image_set.explain import image as image_of
-from rosml.images.image_set.facts import facts
 from rosml.images.image_set.load import load
 from rosml.images.image_set.locked import with_locks
 from rosml.images.image_set.model import ImageSet
@@ -20,7 +20,8 @@ from rosml.images.matrix import combinations, names
 
 
 def test_image_facts(small: ImageSet) -> None:
-    assert facts(small.image("alpha-base-ml-cu1")) == {
+    facts = json.loads(json.dumps(small.image("alpha-base-ml-cu1").to_json()))
+    assert facts == {
         "target": "alpha-base-ml-cu1",
         "distribution": "alpha",
         "component": "base",
