@@ -41,9 +41,9 @@ def test_the_first_that_this_machine_can_build(
 
     monkeypatch.setattr(package_state, "state", state)
     monkeypatch.setattr(base_images, "missing", lambda *_: missing)
-    said: list[str] = []
-    image = default(services(tmp_path), image_set, "amd64", said.append)
-    assert said == [expected]
+    messages: list[str] = []
+    image = default(services(tmp_path), image_set, "amd64", messages.append)
+    assert messages == [expected]
     assert image.target == expected.removeprefix("image: ").partition(",")[0]
 
 

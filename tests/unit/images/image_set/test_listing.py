@@ -8,11 +8,11 @@ import sys
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 from conftest import ROOT, SMALL, changed
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import listed
-from rosml.cli.images import tables
+from rosml.cli.images import listing, tables
 from rosml.images.image_set import selection
 from rosml.images.image_set.locked import with_locks
 from rosml.images.image_set.model import ImageSet
@@ -37,18 +37,12 @@ def test_groups_narrow_the_list_down(small: ImageSet) -> None:
     assert targets(with_locks(small, ()), "omega", "base", "cpu") == ["omega-base-torch-cpu"], "without a lock"
 
 
-@pytest.mark.parametrize(
-    ("groups", "example"),
-    [(("alpha", "robot"), "alpha-robot"), (("alpha", "cu1", "arm64"), "alpha-<component>-<framework>")],
-)
-def test_groups_without_a_common_image(groups: tuple[str, ...], example: str, tmp_path: Path) -> None:
+def test_groups_without_a_common_image(tmp_path: Path) -> None:
     robot = changed("components: [core, base]\n", "components: [core, base, robot]\n")
     (tmp_path / "matrix.yaml").write_text(robot)
-    argv = [*ROSML, "list", "--matrix", str(tmp_path / "matrix.yaml"), *groups]
-    done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=True)
-    assert done.stdout == ""
-    assert done.stderr.startswith(f"no image is in all of {listed(groups)}; see why: ")
-    assert done.stderr.endswith(f": rosml explain {example}\n")
+    done = CliRunner().invoke(listing.main, ["--matrix", str(tmp_path / "matrix.yaml"), "alpha", "robot"])
+    assert (done.exit_code, done.stdout) == (0, "")
+    assert done.stderr == "no image is in all of alpha and robot; see why: rosml explain alpha-robot\n"
 
 
 @pytest.mark.parametrize("width", [60, 120])
@@ -82,8 +76,7 @@ def test_advice_about_groups_that_share_no_image(real: ImageSet, words: list[str
 def test_a_group_that_does_not_exist(small: ImageSet) -> None:
     with pytest.raises(RosmlError, match="no group named 'omga'; did you mean 'omega'") as caught:
         selection.members(small, ["omga"])
-    assert caught.value.exit_code == 2
-    assert "alpha, amd64, arm64, base, core, cpu, cu1, cuda, default, desktop" in caught.value.remedy
+    assert caught.value.exit_code == 2 and "alpha, amd64, arm64, base, core, cpu" in caught.value.remedy
 
 
 @pytest.mark.parametrize(
@@ -102,8 +95,8 @@ def test_a_name_in_place_of_groups_has_a_remedy(real: ImageSet, words: list[str]
 
 def test_command_for_machines(tmp_path: Path) -> None:
     (tmp_path / "matrix.yaml").write_text(SMALL)
-    argv = [*ROSML, "list", "--matrix", str(tmp_path / "matrix.yaml"), "--json", "alpha", "none"]
-    images = json.loads(subprocess.run(argv, cwd=ROOT, capture_output=True, check=True).stdout)
+    done = CliRunner().invoke(listing.main, ["--matrix", str(tmp_path / "matrix.yaml"), "--json", "alpha", "none"])
+    images = json.loads(done.stdout)
     assert [image["target"] for image in images] == ["alpha-core", "alpha-base", "alpha-desktop"]
     assert all(image["inputs"] for image in images)
 

@@ -32,7 +32,7 @@ def image_set() -> ImageSet:
 
 
 @pytest.mark.parametrize(
-    ("release", "named", "component", "target"),
+    ("release", "distribution", "component", "target"),
     [
         (UBUNTU, "", "core", "jazzy-core"),
         (UBUNTU, "kilted", "base", "kilted-base"),
@@ -45,12 +45,12 @@ def image_set() -> ImageSet:
         (BOOKWORM, "jazzy", "core", "jazzy-wheels-core"),
     ],
 )
-def test_the_row_that_fits(image_set: ImageSet, release: str, named: str, component: str, target: str) -> None:
-    assert choose(image_set, system(release), "vendor:1", named, component, ["amd64"]).target == target
+def test_the_row_that_fits(image_set: ImageSet, release: str, distribution: str, component: str, target: str) -> None:
+    assert choose(image_set, system(release), "vendor:1", distribution, component, ["amd64"]).target == target
 
 
 @pytest.mark.parametrize(
-    ("found", "named", "component", "says"),
+    ("of_image", "distribution", "component", "says"),
     [
         (system(JAMMY), "jazzy", "core", "vendor:1 is Ubuntu 22.04.5 LTS, which has humble and iron; jazzy stands on ubuntu:24.04"),
         (system(JAMMY), "jazy", "core", "no ROS distribution named 'jazy'; did you mean 'jazzy'?"),
@@ -62,9 +62,11 @@ def test_the_row_that_fits(image_set: ImageSet, release: str, named: str, compon
         (System(tools=frozenset(NEEDED)), "", "core", "vendor:1 does not say which system it has"),
     ],
 )  # fmt: skip
-def test_what_does_not_fit_is_named(image_set: ImageSet, found: System, named: str, component: str, says: str) -> None:
+def test_what_does_not_fit_is_named(
+    image_set: ImageSet, of_image: System, distribution: str, component: str, says: str
+) -> None:
     with pytest.raises(RosmlError) as caught:
-        choose(image_set, found, "vendor:1", named, component, ["amd64"])
+        choose(image_set, of_image, "vendor:1", distribution, component, ["amd64"])
     assert caught.value.message.startswith(says) and caught.value.remedy and caught.value.exit_code == 2
 
 
@@ -75,8 +77,8 @@ def test_an_architecture_that_the_row_lacks(image_set: ImageSet) -> None:
 
 @given(st.text())
 def test_os_release_is_a_strangers_word(text: str) -> None:
-    found = system(text + "\nID=debian\x1b[31m\n")
-    for value in dataclasses.asdict(found).values():
+    facts = dataclasses.asdict(system(text + "\nID=debian\x1b[31m\n"))
+    for value in facts.values():
         assert not isinstance(value, str) or (value.isprintable() and len(value) <= 80)
 
 

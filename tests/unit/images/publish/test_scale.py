@@ -17,12 +17,12 @@ from rosml.images.matrix import source
 
 def whole(root: Path) -> ImageSet:
     """The project's matrix with all its locks: those that cannot be resolved yet are empty files, which do for an input."""
-    found = load.image_set(source.read(ROOT / "matrix.yaml"))
-    for lock in found.locks:
+    image_set = load.image_set(source.read(ROOT / "matrix.yaml"))
+    for lock in image_set.locks:
         if not (root / lock).is_file():
             (root / lock).parent.mkdir(parents=True, exist_ok=True)
             (root / lock).write_text("")
-    return found
+    return image_set
 
 
 def test_a_second_run_over_the_whole_matrix_does_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
