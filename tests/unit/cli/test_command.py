@@ -104,16 +104,18 @@ def test_signals(number: signal.Signals, capsys: pytest.CaptureFixture[str]) -> 
     assert capsys.readouterr().err.strip() == "kept"
 
 
-@pytest.mark.parametrize("called", ["src", "scripts/generate_bake.py"])
-def test_outside_of_the_virtual_environment(called: str) -> None:
+@pytest.mark.parametrize(
+    ("called", "remedy"),
+    [("src", "rm -r .venv, then call it again"), ("scripts/generate_bake.py", "run this with .venv/bin/python")],
+)
+def test_outside_of_the_virtual_environment(called: str, remedy: str) -> None:
     """Without any packages: before the first of them is imported, wherever that is."""
-    argv = [sys.executable, "-S", *called.removeprefix("python ").split(), "--help"]
-    done = subprocess.run(argv, cwd=ROOT, capture_output=True, text=True, check=False)
-    message = (
-        f"error: not installed: {', '.join((*environment.RUN, *environment.IMAGES))}\n"
-        f"remedy: {'rm -r .venv, then call it again' if called == 'src' else 'run this with .venv/bin/python; ./rosml makes it'}\n"
+    done = subprocess.run(
+        [sys.executable, "-S", called, "--help"], cwd=ROOT, capture_output=True, text=True, check=False
     )
-    assert (done.returncode, done.stdout, done.stderr) == (2, "", message)
+    lacking = ", ".join((*environment.RUN, *environment.IMAGES))
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr.startswith(f"error: not installed: {lacking}\nremedy: {remedy}")
 
 
 def all_commands(command: click.Command, name: str) -> Iterator[tuple[str, click.Command]]:
@@ -208,17 +210,9 @@ def test_a_quiet_command_prints_its_result_and_its_error(capfd: pytest.CaptureFi
 
 @pytest.mark.parametrize(("no_color", "coloured"), [("", True), ("1", False)])
 def test_colour_on_a_terminal_only(no_color: str, coloured: bool) -> None:
-    code = (
-        "import sys, click; from rosml.cli import command; from rosml.base.errors import RosmlError\n"
-        "def fail() -> None:\n"
-        "    click.echo(click.style('==> work', bold=True))\n"
-        "    raise RosmlError('no room', 'make some')\n"
-        "sys.exit(command.run(click.Command('x', callback=fail), arguments=[]))"
-    )
-    env = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": no_color, "TERM": "xterm"}
-    returned, output = on_a_terminal(code, env=env)
-    assert returned == 1
-    assert b"==> work" in output and b"no room" in output
+    code = program("click.echo(click.style('==> work', bold=True)); raise OSError('no room')")[2]
+    returned, output = on_a_terminal(code, env={**PATH, "NO_COLOR": no_color, "TERM": "xterm"})
+    assert returned == 1 and b"==> work" in output and b"no room" in output
     assert (b"\x1b[" in output) == coloured
 
 
@@ -231,32 +225,26 @@ def test_every_command_looks_for_its_packages() -> None:
 
 
 def test_what_is_looked_for_is_what_the_project_asks_for() -> None:
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
-    dependencies = project["dependencies"]
-    names = [
-        item.lower()
-        .partition("==")[0]
-        .replace("pyyaml", "yaml")
-        .replace("backports.zstd", environment.ZSTD)
-        .removesuffix("-python")
-        for item in dependencies
-    ]
-    assert names == [*environment.RUN, *environment.IMAGES]
+    """A package's name on the index, and in Python."""
+    modules = {"pyyaml": "yaml", "backports.zstd": environment.ZSTD, "packageurl-python": "packageurl"}
+    dependencies = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["dependencies"]
+    names = [item.lower().partition("==")[0] for item in dependencies]
+    assert [modules.get(name, name) for name in names] == [*environment.RUN, *environment.IMAGES]
 
 
-def test_reader_of_our_output_is_gone(tmp_path: Path) -> None:
-    script = tmp_path / "x.py"
-    script.write_text(
-        f"import sys; sys.path.insert(0, {str(ROOT / 'src')!r})\n"
-        "import click; from rosml.cli import command\n"
-        "@click.command()\n"
-        "def main() -> None:\n"
-        "    for _ in range(100_000): click.echo('line')\n"
-        "sys.exit(command.run(main))\n"
-    )
-    pipe = f"set -o pipefail; '{sys.executable}' '{script}' | head -1"
-    done = subprocess.run(["bash", "-c", pipe], capture_output=True, text=True, check=False, timeout=30)
-    assert (done.returncode, done.stdout, done.stderr) == (0, "line\n", "")
+def program(body: str, run: str = "") -> list[str]:
+    """The words that start Python with a command of its own."""
+    code = f"import sys, click; from rosml.cli import command\ndef body() -> None:\n    {body}\n"
+    return [sys.executable, "-c", f"{code}sys.exit(command.run(click.Command('x', callback=body), arguments=[]{run}))"]
+
+
+PATH = {**os.environ, "PYTHONPATH": f"{ROOT}/src"}
+
+
+def test_reader_of_our_output_is_gone() -> None:
+    pipe = f"set -o pipefail; {shlex.join(program('for _ in range(100_000): click.echo(1)'))} | head -1"
+    done = subprocess.run(["bash", "-c", pipe], env=PATH, capture_output=True, text=True, check=False, timeout=30)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "1\n", "")
 
 
 @pytest.mark.parametrize("more", [[], ["--json"]])
@@ -277,59 +265,37 @@ def test_output_that_is_closed(more: str) -> None:
         assert re.fullmatch("error: standard output is closed.*\nremedy: send it .*\n", done.stderr)
 
 
-@pytest.mark.parametrize("shell", ['PYTHONIOENCODING=latin-1 "$0" "$1"', 'LC_ALL=C PYTHONUTF8=0 "$0" "$1"'])
-def test_output_that_knows_few_letters(shell: str, tmp_path: Path) -> None:
-    script = tmp_path / "x.py"
-    script.write_text(
-        f"import sys; sys.path.insert(0, {str(ROOT / 'src')!r})\n"
-        "import click; from rosml.cli import command\n"
-        "@click.command()\n"
-        "def main() -> None: click.echo('a → b')\n"
-        "sys.exit(command.run(main))\n"
-    )
-    done = subprocess.run(["bash", "-c", shell, sys.executable, script], capture_output=True, check=False, timeout=30)
+@pytest.mark.parametrize("variables", [{"PYTHONIOENCODING": "latin-1"}, {"LC_ALL": "C", "PYTHONUTF8": "0"}])
+def test_output_that_knows_few_letters(variables: dict[str, str]) -> None:
+    argv = program("click.echo('a \\u2192 b')")
+    done = subprocess.run(argv, env=PATH | variables, capture_output=True, check=False, timeout=30)
     assert (done.returncode, done.stderr) == (0, b"")
     assert done.stdout in (b"a \\u2192 b\n", "a → b\n".encode())
 
 
 def test_a_command_that_works_says_that_its_reader_is_gone() -> None:
     """`make image | head` is not done when head is."""
-    code = (
-        "import sys, click; from rosml.cli import command\n"
-        "work = click.Command('work', callback=lambda: (_ for _ in ()).throw(BrokenPipeError))\n"
-        "sys.exit(command.run(work, arguments=[], reader_gone=command.BROKEN_PIPE))"
-    )
-    env = {**os.environ, "PYTHONPATH": str(ROOT)}
-    done = subprocess.run([sys.executable, "-c", code], env=env, capture_output=True, check=False)
+    argv = program("raise BrokenPipeError", ", reader_gone=command.BROKEN_PIPE")
+    done = subprocess.run(argv, env=PATH, capture_output=True, check=False)
     assert (done.returncode, done.stderr) == (141, b"")
 
 
-def fail_on_disk(folder: Path, name: str) -> None:
-    (folder / "a").write_text("a file")
-    (folder / "b").mkdir()
-    works: dict[str, Callable[[], object]] = {
-        "mkdir": (folder / "a").mkdir,
-        "parents": lambda: (folder / "a/x/y").mkdir(parents=True),
-        "below": lambda: (folder / "a/x").write_text("x"),
-        "folder": lambda: (folder / "b").write_text("x"),
-        "read": (folder / "c").read_text,
-    }
-    works[name]()
-
-
 @pytest.mark.parametrize(
-    ("name", "says"),
+    ("work", "says"),
     [
-        ("mkdir", "{}/a is in the way: a folder is needed there\nremedy: move it away"),
-        ("parents", "{}/a is in the way: a folder is needed there\nremedy: move it away"),
-        ("below", "{}/a is in the way: a folder is needed there\nremedy: move it away"),
-        ("folder", "{}/b is in the way: it is a folder, and a file is needed there\nremedy: move it away"),
-        ("read", "{}/c: No such file or directory\n"),
+        (lambda folder: (folder / "a/x/y").mkdir(parents=True), "{}/a is in the way: a folder is needed there"),
+        (lambda folder: (folder / "a/x").write_text("x"), "{}/a is in the way: a folder is needed there"),
+        (lambda folder: (folder / "b").write_text("x"), "{}/b is in the way: it is a folder, and a file is needed"),
+        (lambda folder: (folder / "c").read_text(), "{}/c: No such file or directory"),
     ],
 )
-def test_what_is_in_the_way_is_named(name: str, says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_is_in_the_way_is_named(
+    work: Callable[[Path], object], says: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """As where `.state/log` is a file."""
-    assert command.run(ending(lambda: fail_on_disk(tmp_path, name)), arguments=[]) == 1
+    (tmp_path / "a").write_text("a file")
+    (tmp_path / "b").mkdir()
+    assert command.run(click.Command("x", callback=lambda: work(tmp_path)), arguments=[]) == 1
     err = capsys.readouterr().err
     assert err.startswith("error: " + says.format(tmp_path)) and "Errno" not in err
 

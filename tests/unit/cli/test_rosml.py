@@ -89,12 +89,6 @@ def test_a_target_and_a_tag_are_both_understood() -> None:
     assert isinstance(facts, dict) and facts["exists"] and len(facts["reasons"]) > 3
 
 
-def test_a_list_of_groups() -> None:
-    groups = [JOINED.distribution, JOINED.framework]
-    listed = json.loads(CliRunner().invoke(main.cli, ["list", *groups, "--json"]).output)
-    assert listed and all(set(groups) <= set(image["groups"]) for image in listed)
-
-
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_shells_complete(shell: str) -> None:
     def completion(instruction: str, **facts: str) -> str:
@@ -350,16 +344,6 @@ def test_a_file_that_is_no_text_is_named(repository: Path) -> None:
         assert done.returncode == 2
         assert done.stderr == f"error: {name}:2: not UTF-8 (byte 0xff)\nremedy: save the file as UTF-8\n"
         file.write_bytes(whole)
-
-
-@pytest.mark.parametrize(
-    "words",
-    ["list --matrix .", "generate --output nowhere/x", "locks --stack nonsense"],
-    ids=lambda words: words.split()[0],
-)
-def test_what_cannot_be_read_or_written_has_a_remedy(repository: Path, words: str) -> None:
-    done = from_source(repository, words)
-    assert done.returncode in (1, 2) and "\nremedy: " in done.stderr, done.stderr
 
 
 GONE = "mkdir gone && cd gone && rmdir ../gone && "

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import json
-import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from conftest import ROOT, SMALL, changed
+from conftest import SMALL, changed
 
 from rosml.base.errors import RosmlError
 from rosml.cli.images import listing, tables
 from rosml.images.image_set import selection
 from rosml.images.image_set.locked import with_locks
 from rosml.images.image_set.model import ImageSet
-
-ROSML = [sys.executable, "src"]
 
 
 def targets(image_set: ImageSet, *groups: str) -> list[str]:
@@ -99,15 +96,3 @@ def test_command_for_machines(tmp_path: Path) -> None:
     images = json.loads(done.stdout)
     assert [image["target"] for image in images] == ["alpha-core", "alpha-base", "alpha-desktop"]
     assert all(image["inputs"] for image in images)
-
-
-def test_a_reader_that_has_seen_enough() -> None:
-    done = subprocess.run(
-        ["bash", "-c", 'set -o pipefail; "$@" list | head -1', "bash", *ROSML],
-        cwd=ROOT,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith("tag ")
