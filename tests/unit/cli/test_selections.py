@@ -362,13 +362,3 @@ def test_parts_are_planned_where_their_images_cannot_be_built(
     assert "part-torch-cu128-py312" in planned
     assert "jazzy-core" not in planned
     assert plan["shards"] == []
-
-
-def test_a_plan_of_an_image_without_a_lock(shop: Shop, capsys: pytest.CaptureFixture[str]) -> None:
-    target = next(image.target for image in REAL.images if image.parent == "ros1-bookworm-core" and not image.locked)
-    code, out, err = ended(shop, "plan", ["--registry", "{host}/nothing", "--only", target, "--json"], capsys)
-    assert code == 0, err
-    (task,) = [
-        task for task in json.loads(out)["tasks"] if task["target"] == target and task["architecture"] == "amd64"
-    ]
-    assert task["hindered"].startswith("lock missing: locks/")

@@ -272,10 +272,6 @@ def test_memory() -> None:
     assert peak < 100
 
 
-def test_the_real_matrix_is_accepted() -> None:
-    assert outcome(REAL.encode()) is not None
-
-
 # ---- Schema and model ------------------------------------------------------------------------------------------------
 
 
@@ -362,13 +358,6 @@ def test_requirement(small: sets.ImageSet) -> None:
     assert stack.requirement("torch", "amd64") == "torch==2.10.0"
 
 
-def test_a_stack_without_a_release_asks_for_nothing() -> None:
-    stacks = parse(
-        changed("21, releases: {torch: 2.10.0, tensorflow: 2.20.0}", "21, releases: {torch: 2.10.0}")
-    ).matrix.stacks
-    assert stacks["cu1"].requirement("tensorflow", "amd64") is None
-
-
 def test_a_new_distribution_fits_in_ten_lines() -> None:
     row = """\
   made-up:
@@ -386,9 +375,3 @@ def test_a_new_distribution_fits_in_ten_lines() -> None:
     image_set = parse(changed("distributions:\n", f"distributions:\n{row}"))
     assert image_set.image("made-up-base").packages == "ros-madeup-ros-base"
     assert "ros-torch:latest" in image_set.image("made-up-base-torch-cu1").tags
-
-
-def test_a_new_release_is_one_line() -> None:
-    line = '    2.11.0: {python: ["3.12"], wheels: {cu1: [amd64]}}\n'
-    image_set = parse(changed("  torch:\n    2.10.0", f"  torch:\n{line}    2.10.0"))
-    assert "2.11.0" in image_set.matrix.releases["torch"]

@@ -218,9 +218,3 @@ def test_every_pattern_has_a_meaning() -> None:
     of_schema = patterns(model.Matrix.model_json_schema())
     assert len(of_schema) > 10
     assert of_schema - MEANING.keys() == set()
-
-
-def test_two_systems_of_one_target() -> None:
-    text = SMALL.replace("  ubuntu-26.04:\n", "  ubuntu-24-04:\n").replace("os: ubuntu-26.04", "os: ubuntu-24-04")
-    with pytest.raises(InputError, match="would both be called _os-ubuntu-24-04; rename one"):
-        parse(text)
