@@ -30,20 +30,20 @@ def project(tmp_path: Path) -> Path:
 def test_a_distribution(project: Path, real: ImageSet) -> None:
     [entry] = [block for block in section("A distribution") if block.title]
     assert entry.text.count("\n") <= 10
-    said = follow(project, "A distribution")
-    assert "docker-bake.hcl: written" in said and "docs/tags.md: written" in said
-    assert "warning" not in said
-    assert "example-desktop-ml-cu128" in said
-    assert "example-base-torch-cu128 exists:" in said
-    assert "locks/" not in said, "no lock is new"
+    output = follow(project, "A distribution")
+    assert "docker-bake.hcl: written" in output and "docs/tags.md: written" in output
+    assert "warning" not in output
+    assert "example-desktop-ml-cu128" in output
+    assert "example-base-torch-cu128 exists:" in output
+    assert "locks/" not in output, "no lock is new"
     assert (
         "| `example` | 2 | ubuntu-24.04, 3.12 | core, base, desktop | 2032-05-31 (LTS) |"
         in (project / "docs/tags.md").read_text()
     )
-    made = load.load(project / "matrix.yaml", project)
-    new = {image.target for image in made.images} - {image.target for image in real.images}
+    image_set = load.load(project / "matrix.yaml", project)
+    new = {image.target for image in image_set.images} - {image.target for image in real.images}
     assert new and all(target.startswith("example-") for target in new)
-    assert all(image.locked for image in made.images if image.target in new and not image.target.endswith("-cpu"))
+    assert all(image.locked for image in image_set.images if image.target in new and not image.target.endswith("-cpu"))
 
 
 KEY = "-----BEGIN PGP PUBLIC KEY BLOCK-----\n"
@@ -66,11 +66,11 @@ def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
     (project / "matrix.yaml").write_text((ROOT / "matrix.yaml").read_text())
     before = Inputs(project, load.load(project / "matrix.yaml", project))
     (project / "components/archive-keys/ours.asc").write_text(KEY)
-    said = follow(project, "ROS from your own archive")
-    assert "docker-bake.hcl: written" in said and "warning" not in said
-    assert "packages come from the suite bookworm of an apt archive, http://packages.example.com/ros2" in said
-    made = load.load(project / "matrix.yaml", project)
-    arguments = targets.of(made)["jazzy-ours-core"].arguments
+    output = follow(project, "ROS from your own archive")
+    assert "docker-bake.hcl: written" in output and "warning" not in output
+    assert "packages come from the suite bookworm of an apt archive, http://packages.example.com/ros2" in output
+    image_set = load.load(project / "matrix.yaml", project)
+    arguments = targets.of(image_set)["jazzy-ours-core"].arguments
     assert {name: value for name, value in arguments.items() if name.startswith("ROS_")}.items() >= {
         "ROS_ARCHIVE": "http://packages.example.com/ros2",
         "ROS_CODENAME": "bookworm",
@@ -79,15 +79,15 @@ def test_ros_from_an_archive_of_ones_own(project: Path) -> None:
         "ROS_PACKAGES": "ros-jazzy-ros-core",
     }.items()
     assert missing_of_colcon(str(arguments["ROS_TOOLS"])) == set()
-    assert "ROS_CHANNEL" not in arguments and "ROS_ARCHIVE" not in targets.of(made)["ros1-bookworm-core"].arguments
-    after = Inputs(project, made)
+    assert "ROS_CHANNEL" not in arguments and "ROS_ARCHIVE" not in targets.of(image_set)["ros1-bookworm-core"].arguments
+    after = Inputs(project, image_set)
     for target in ("ros1-bookworm-core", "jazzy-base"):
         assert after.of(target, "amd64") == before.of(target, "amd64"), "a key is an input of its own rows alone"
     assert "components/archive-keys/ours.asc" in after.of("jazzy-ours-core", "amd64")
 
 
 def test_all_rows_have_what_containerize_needs_of_colcon(real: ImageSet) -> None:
-    tools = {str(made.arguments["ROS_TOOLS"]) for made in targets.of(real).values() if made.arguments.get("ROS_TOOLS")}
+    tools = {str(it.arguments["ROS_TOOLS"]) for it in targets.of(real).values() if it.arguments.get("ROS_TOOLS")}
     assert tools and not any(map(missing_of_colcon, tools))
     assert missing_of_colcon("colcon python3-colcon-ros") >= {"python3-colcon-package-information"}
 
@@ -102,12 +102,12 @@ def test_ros_one(project: Path) -> None:
 
 def test_a_release_and_a_stack(project: Path, real: ImageSet) -> None:
     insert(project, next(section("A release of PyTorch or TensorFlow")))
-    said = follow(project, "A stack")
-    assert "jazzy-base-torch-cu126 exists, but cannot be built yet:" in said
-    assert "run 'rosml locks'" in said
-    assert "stack cu126 carries torch 2.7.1, cuda 12.6.77, cudnn 9.5.1.17 and nccl 2.26.2" in said
-    made = load.load(project / "matrix.yaml", project)
-    new = {image.target for image in made.images} - {image.target for image in real.images}
+    output = follow(project, "A stack")
+    assert "jazzy-base-torch-cu126 exists, but cannot be built yet:" in output
+    assert "run 'rosml locks'" in output
+    assert "stack cu126 carries torch 2.7.1, cuda 12.6.77, cudnn 9.5.1.17 and nccl 2.26.2" in output
+    image_set = load.load(project / "matrix.yaml", project)
+    new = {image.target for image in image_set.images} - {image.target for image in real.images}
     assert new and all(target.endswith("-cu126") for target in new)
 
 
@@ -124,12 +124,12 @@ def test_a_step_that_is_left_out_is_told(project: Path) -> None:
 
 def test_a_set_of_ones_own(project: Path) -> None:
     """In a fork: what is generated is of the set."""
-    said = walk.make_set(project)
-    assert "docker-bake.hcl: written" in said and "warning" not in said
+    output = walk.make_set(project)
+    assert "docker-bake.hcl: written" in output and "warning" not in output
     assert "noetic" not in (project / "docs/tags.md").read_text().partition("<!-- images:")[2]
-    made = load.load(project / "set.yaml", project)
-    assert {image.target.split("-")[0] for image in made.images} == {"humble", "jazzy"}
-    assert made.matrix.source == "https://github.com/me/robot-images"
+    image_set = load.load(project / "set.yaml", project)
+    assert {image.target.split("-")[0] for image in image_set.images} == {"humble", "jazzy"}
+    assert image_set.matrix.source == "https://github.com/me/robot-images"
     check = [sys.executable, "scripts/generate_bake.py", "--check"]
     assert subprocess.run(check, cwd=project, check=False).returncode == 0
 
@@ -154,8 +154,8 @@ def test_an_addon(project: Path, real: ImageSet) -> None:
     }.items():
         (project / file).parent.mkdir(exist_ok=True, parents=True)
         (project / file).write_text(content)
-    made = load.load(matrix, project)
-    new = {image.target: image for image in made.images if image.target not in real.by_target}
+    image_set = load.load(matrix, project)
+    new = {image.target: image for image in image_set.images if image.target not in real.by_target}
     assert {*new} == {
         f"{row}-core-einops-cu128" for row in ("humble", "jazzy", "lyrical", "ros1-bookworm", "ros1-trixie")
     }, "one for each Python, on the lowest component"
@@ -166,24 +166,27 @@ def test_an_addon(project: Path, real: ImageSet) -> None:
     assert jazzy.versions["einops"] == "0.8.1"
     argv = [sys.executable, "scripts/generate_bake.py"]
     subprocess.run(argv, cwd=project, check=True)
-    every = targets.of(made)
+    every = targets.of(image_set)
     inline = every["jazzy-core-einops-cu128"].join
     assert inline and inline.dockerfile().count("COPY --link") == 4
-    said = every["part-einops-cu128-py312"].labels
-    assert said["io.rosml.addons"] == "einops=cuda*,common,torch,einops" and "io.rosml.frameworks" not in said
-    before, after = Inputs(ROOT, real), Inputs(project, made)
+    output = every["part-einops-cu128-py312"].labels
+    assert output["io.rosml.addons"] == "einops=cuda*,common,torch,einops" and "io.rosml.frameworks" not in output
+    before, after = Inputs(ROOT, real), Inputs(project, image_set)
     for target in ("jazzy-base-torch-cu128", "part-torch-cu128-py312"):
         assert after.of(target, "amd64").keys() == before.of(target, "amd64").keys()
 
     tagged = "{parts: [einops], beside: [torch], tags: {distributions: [jazzy], components: [base], stacks: [cu128]}}"
     matrix.write_text(text.replace("einops: {parts: [einops]}", f"einops: {tagged}"))
-    made = load.load(matrix, project)
-    base, core = made.image("jazzy-base-einops-cu128"), made.image("jazzy-core-einops-cu128")
+    image_set = load.load(matrix, project)
+    base, core = image_set.image("jazzy-base-einops-cu128"), image_set.image("jazzy-core-einops-cu128")
     tags = ("jazzy-base-cu128", "jazzy-base-cu128-torch2.10.0-einops0.8.1", "jazzy", "latest")
     assert base.tags == tuple(f"ros-einops:{tag}" for tag in tags)
     assert base.carriers == (core.target,) and not core.tags and "all" in base.groups
-    assert "jazzy-core-torch-einops-cu128" in made.by_target and "jazzy-base-torch-einops-cu128" not in made.by_target
-    assert sum(len(image.tags) for image in made.images) == sum(len(image.tags) for image in real.images) + 4
+    assert (
+        "jazzy-core-torch-einops-cu128" in image_set.by_target
+        and "jazzy-base-torch-einops-cu128" not in image_set.by_target
+    )
+    assert sum(len(image.tags) for image in image_set.images) == sum(len(image.tags) for image in real.images) + 4
 
 
 def tensorrt(title: str) -> str:
@@ -195,8 +198,8 @@ def tensorrt(title: str) -> str:
 def test_tensorrt_from_an_index_of_ones_own(tmp_path: Path) -> None:
     """A set whose parts are restricted: their packages are asked of that index, and no public registry gets them."""
     (tmp_path / "set.yaml").write_text(tensorrt("set.yaml"))
-    made = load.without_locks(tmp_path / "set.yaml", ROOT)
-    image = made.image("jazzy-core-tensorrt-cu130")
+    image_set = load.without_locks(tmp_path / "set.yaml", ROOT)
+    image = image_set.image("jazzy-core-tensorrt-cu130")
     assert image.parts[-4:] == (
         "onnxruntime-cc-cu130",
         "onnxruntime-cu130-py312",
@@ -205,19 +208,19 @@ def test_tensorrt_from_an_index_of_ones_own(tmp_path: Path) -> None:
     )
     assert image.architectures == ("amd64",) and image.versions["tensorrt"] == "10.16.1.11"
     assert "tensorrt" in image.tests and "onnxruntime" in image.tests
-    known = targets.of(made)
-    assert known[image.target].labels["io.rosml.restricted"] == "tensorrt-cc tensorrt"
-    asking = {part.kind for part in made.parts if known[part.target].arguments.get("INDEX")}
+    bake_targets = targets.of(image_set)
+    assert bake_targets[image.target].labels["io.rosml.restricted"] == "tensorrt-cc tensorrt"
+    asking = {part.kind for part in image_set.parts if bake_targets[part.target].arguments.get("INDEX")}
     assert asking == {"tensorrt-cc", "tensorrt"}
-    assert known["part-tensorrt-cu130-py312"].arguments["SHOWS"] == "tensorrt-cc"
+    assert bake_targets["part-tensorrt-cu130-py312"].arguments["SHOWS"] == "tensorrt-cc"
     # What `rosml locks` writes is the lock of the parts, whatever other releases of the stack are called.
     hashed = f"10.16.1.11 \\\n    --hash=sha256:{'0' * 64}\n"
-    for part in (item for item in made.parts if item.kind in asking):
+    for part in (item for item in image_set.parts if item.kind in asking):
         head = f"{names.lock_head(part.stack, 'amd64', part.python, part.kind)}\n# Made by 'rosml locks' from matrix.yaml; do not edit.\n"
         package = "tensorrt-cu13-libs" if part.kind == "tensorrt-cc" else "tensorrt-cu13-bindings"
-        assert lock_file.current(f"{head}{package}=={hashed}", part, made.matrix, "amd64")
-    declared = restricted.Declared.of(made.matrix, {})
-    host, _, path = made.matrix.registry.partition("/")
+        assert lock_file.current(f"{head}{package}=={hashed}", part, image_set.matrix, "amd64")
+    declared = restricted.Declared.of(image_set.matrix, {})
+    host, _, path = image_set.matrix.registry.partition("/")
     assert restricted.require(["tensorrt"], image.target, host, path, declared) == ""
     with pytest.raises(RosmlError, match="is a public registry"):
         restricted.require(["tensorrt"], image.target, "ghcr.io", path, declared)

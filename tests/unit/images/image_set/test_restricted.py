@@ -38,7 +38,7 @@ from tests.e2e import parts
 HELD = changed("{name: torch, title: PyTorch", "{name: torch, distribution: restricted, title: PyTorch")
 """The small matrix, whose part torch is restricted."""
 
-SAID = {labels.RESTRICTED: "torch"}
+TORCH_LABEL = {labels.RESTRICTED: "torch"}
 
 
 # ---- Which registry --------------------------------------------------------------------------------------------------
@@ -164,7 +164,7 @@ def test_join(apps: Apps, monkeypatch: pytest.MonkeyPatch) -> None:
     ros = apps.base()
     put_parts = parts.stack(apps.registry, "me/part", ("cuda", "common"))
     torch = parts.part("torch")
-    put_parts.append(replace(torch, labels={**torch.labels, **SAID}).put(apps.registry, "me/part", "torch"))
+    put_parts.append(replace(torch, labels={**torch.labels, **TORCH_LABEL}).put(apps.registry, "me/part", "torch"))
 
     def join() -> str:
         with Joiner(Registries(), say=apps.messages.append) as joiner:
@@ -196,7 +196,7 @@ def _by_digest(apps: Apps, ros: str, part_names: Sequence[str]) -> tuple[Referen
 
 
 def test_rebase(apps: Apps, monkeypatch: pytest.MonkeyPatch) -> None:
-    app, held = apps.app(apps.base()), apps.base("held", labels=SAID)
+    app, held = apps.app(apps.base()), apps.base("held", labels=TORCH_LABEL)
     assert "me/robot:latest has the restricted part torch" in apps.refused(app, held)
     monkeypatch.setenv(restricted.VARIABLE, apps.server.address)
     assert apps.rebase(app, held).moved
@@ -206,7 +206,7 @@ def test_rebase(apps: Apps, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_an_image_of_two_platforms_is_held_by_one(apps: Apps) -> None:
     reference = apps.base("held", platforms=("linux/amd64",))
-    other = apps.base("other", platforms=("linux/arm64",), labels=SAID)
+    other = apps.base("other", platforms=("linux/arm64",), labels=TORCH_LABEL)
     members = [
         entry
         for name in (reference, other)
@@ -220,14 +220,14 @@ def test_an_image_of_two_platforms_is_held_by_one(apps: Apps) -> None:
     assert restricted.parts_of(app_base.find(name, apps.services, ("linux/amd64",)).labels) == ()
 
 
-class Asked(Exception):
+class BuilderCalled(Exception):
     """The builder was asked, so nothing was refused."""
 
 
 @pytest.fixture
 def builder(monkeypatch: pytest.MonkeyPatch) -> None:
     def run(*_: Any) -> None:
-        raise Asked
+        raise BuilderCalled
 
     monkeypatch.setattr(buildx, "run", run)
 
@@ -241,7 +241,7 @@ def test_containerize(apps: Apps, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     (folder / "src/robot/package.xml").write_text("<package><name>robot</name></package>")
     here, public = apps.server.address, "ghcr.io/me/robot"
     monkeypatch.setattr(registries, "is_here", lambda host: host == here)
-    base = apps.base("held", labels=SAID, environment=("ROS_DISTRO=jazzy",))
+    base = apps.base("held", labels=TORCH_LABEL, environment=("ROS_DISTRO=jazzy",))
     free = apps.base("free", environment=("ROS_DISTRO=jazzy",))
     values = {"base-image": base, "command": "x", "push": "true", "target": "run", "platform": "amd64"}
     values |= {"image-name": f"{here}/me/robot"}
@@ -260,12 +260,12 @@ def test_containerize(apps: Apps, tmp_path: Path, monkeypatch: pytest.MonkeyPatc
         build.build_images(app)
     assert caught.value.exit_code == 2
     text = ROOT / "matrix.yaml"
-    own_matrix = tmp_path / "matrix.yaml"
-    own_matrix.write_text(
+    matrix_of_set = tmp_path / "matrix.yaml"
+    matrix_of_set.write_text(
         text.read_text().replace("\nversion: 1\n", f"\nversion: 1\ni_have_the_rights: [{public}]\n", 1)
     )
-    monkeypatch.setattr(restricted, "MATRIX", own_matrix)
-    with pytest.raises((Asked, RosmlError)) as caught_build:
+    monkeypatch.setattr(restricted, "MATRIX", matrix_of_set)
+    with pytest.raises((BuilderCalled, RosmlError)) as caught_build:
         build.build_images(app)
     assert "restricted" not in str(caught_build.value)
     assert any("goes to ghcr.io/me/robot: you declared that you have the rights" in line for line in apps.messages)
