@@ -9,6 +9,7 @@ from html import escape
 
 from rosml.images.builds import disk
 from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.matrix import combinations
 
 WIDTH, LEFT, RIGHT, ROW, BAR = 860, 250, 130, 46, 26
 """Pixels: the picture, the column of tags, the column of sums, the height of a row and of its bar."""
@@ -39,7 +40,8 @@ def shown(image_set: ImageSet) -> tuple[Image, ...]:
     larger = [
         image
         for image in relatives
-        if image.distribution == default.distribution and default.component in _below(image_set, image.component)
+        if image.distribution == default.distribution
+        and default.component in combinations.chain(image_set.matrix, image.component)[:-1]
     ]
     others = [
         image
@@ -51,29 +53,20 @@ def shown(image_set: ImageSet) -> tuple[Image, ...]:
     return tuple(image for image in (default, plain, largest, *others[:1]) if image)
 
 
-def _below(image_set: ImageSet, component: str) -> Iterator[str]:
-    below = image_set.matrix.components[component].builds_on
-    while below:
-        yield below
-        below = image_set.matrix.components[below].builds_on
-
-
-def new_mb(image_set: ImageSet, images: tuple[Image, ...]) -> list[int]:
-    """Compressed megabytes that each image adds to those before it."""
-    return [
-        sum(size for name, size in disk.layers(image_set, image).items() if name not in pulled)
-        for image, pulled in zip(images, _pulled_before(image_set, images), strict=True)
-    ]
+def one_after_another(image_set: ImageSet, images: Sequence[Image]) -> Iterator[tuple[Image, frozenset[str], int]]:
+    """Each image with the layers of those before it, and the compressed megabytes that it adds to these."""
+    pulled: frozenset[str] = frozenset()
+    for image in images:
+        layers = disk.layers(image_set, image)
+        yield image, pulled, sum(size for name, size in layers.items() if name not in pulled)
+        pulled |= layers.keys()
 
 
 def render(image_set: ImageSet) -> str:
     """The picture of images."""
-    images = shown(image_set)
     rows = [
         _Row(image.tags[0], _bars(image_set, image, pulled), f"{_gigabytes(added)} new")
-        for image, pulled, added in zip(
-            images, _pulled_before(image_set, images), new_mb(image_set, images), strict=True
-        )
+        for image, pulled, added in one_after_another(image_set, shown(image_set))
     ]
     return _picture("Images share layers", "compressed size; dashed: pulled with an image above", rows)
 
@@ -127,14 +120,6 @@ def _picture(title: str, above: str, rows: Sequence[_Row]) -> str:
   <text class="soft" x="{LEFT}" y="16" font-size="12">{escape(above)}</text>
 {drawn}</svg>
 """
-
-
-def _pulled_before(image_set: ImageSet, images: tuple[Image, ...]) -> Iterator[frozenset[str]]:
-    """For each image, the layers of those before it."""
-    pulled: frozenset[str] = frozenset()
-    for image in images:
-        yield pulled
-        pulled |= disk.layers(image_set, image).keys()
 
 
 def _bars(image_set: ImageSet, image: Image, pulled: frozenset[str]) -> list[_Bar]:

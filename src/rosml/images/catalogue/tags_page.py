@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
-from rosml.images.image_set import missing_locks
+from rosml.images.image_set import addons, missing_locks
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import combinations
 from rosml.images.matrix.tags import main_tag
@@ -115,19 +114,11 @@ def _contents(image_set: ImageSet) -> Iterator[str]:
 def _addons(image_set: ImageSet) -> Iterator[str]:
     matrix = image_set.matrix
     for addon, entry in matrix.addons.items():
-        main = matrix.part[entry.parts[-1]]
         where = "private registries" if any(matrix.part[name].restricted for name in entry.parts) else "any registry"
         rows: dict[tuple[str, str, str], list[str]] = {}
-        for stack, facts in matrix.stacks.items():
-            parts = [part for part in image_set.parts if (part.kind, part.stack) == (main.name, stack)]
-            brings = ", ".join(
-                f"{item.title} {item.version}" for item in combinations.brought(matrix, [main.name], facts)
-            )
-            pythons = sorted({part.python for part in parts}, key=lambda text: [*map(int, re.findall("[0-9]+", text))])
-            platforms = dict.fromkeys(platform for part in parts for platform in part.platforms)
-            if parts:
-                key = brings or main.title or addon, ", ".join(pythons), ", ".join(platforms)
-                rows.setdefault(key, []).append(f"`{stack}`")
+        for it in addons.on_stacks(image_set, addon):
+            key = ", ".join(it.brings), ", ".join(it.pythons), ", ".join(it.platforms)
+            rows.setdefault(key, []).append(f"`{it.stack}`")
         for (brings, python, on), stacks in rows.items():
             yield _row(f"`{addon}`", brings, ", ".join(stacks), python, on, where)
 

@@ -5,12 +5,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+import re
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, some, unknown
-from rosml.images.image_set.model import PARTS, Image
+from rosml.images.image_set.model import PARTS, Image, ImageSet
 from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
 from rosml.images.matrix.tags import main_tag
@@ -39,7 +40,7 @@ class Fitting:
         return f"rosml join {image} {PARTS}:{braced(self.parts)} --tag NAME"
 
 
-def braced(words: tuple[str, ...]) -> str:
+def braced(words: Sequence[str]) -> str:
     """Words in a shell's braces: `{a,b}`; one word alone."""
     return f"{{{','.join(words)}}}" if len(words) > 1 else "".join(words)
 
@@ -65,6 +66,28 @@ def fitting(matrix: Matrix, image: Image) -> Iterator[Fitting]:
                     platforms=tuple(matrix.architectures[name].platform for name in architectures),
                     restricted=any(entry.restricted for entry in entries),
                 )
+
+
+@dataclass(frozen=True)
+class OnStack:
+    """What an add-on is on a stack: the releases that it brings, and the Pythons and platforms that it is for."""
+
+    stack: str
+    brings: tuple[str, ...]
+    pythons: tuple[str, ...]
+    platforms: tuple[str, ...]
+
+
+def on_stacks(image_set: ImageSet, addon: str) -> Iterator[OnStack]:
+    """The stacks on which an add-on exists. A part for any Python is for `any`."""
+    matrix = image_set.matrix
+    main = matrix.part[matrix.addons[addon].parts[-1]]
+    for stack, facts in matrix.stacks.items():
+        if parts := [part for part in image_set.parts if (part.kind, part.stack) == (main.name, stack)]:
+            brought = (f"{item.title} {item.version}" for item in combinations.brought(matrix, [main.name], facts))
+            pythons = sorted({part.python for part in parts}, key=lambda text: [*map(int, re.findall("[0-9]+", text))])
+            platforms = dict.fromkeys(platform for part in parts for platform in part.platforms)
+            yield OnStack(stack, tuple(brought) or (main.title or addon,), tuple(pythons), tuple(platforms))
 
 
 SHOWN = 3

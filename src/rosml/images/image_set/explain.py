@@ -156,8 +156,7 @@ def added(image: str, addon_names: Sequence[str], parts: Sequence[str], place: s
     yield f"it lacks {'the part' if len(parts) == 1 else 'the parts'} {listed(parts)}"
     yield f"for your packages: rosml containerize --base-image {image} --addons {','.join(addon_names)}"
     complete = image if "/" in image else f"REGISTRY/{image}"
-    every = parts[0] if len(parts) == 1 else f"{{{','.join(parts)}}}"
-    yield f"in a registry: rosml join {complete} {place}:{every} --tag {complete}-with-{addon_names[0]}"
+    yield f"in a registry: rosml join {complete} {place}:{addons.braced(parts)} --tag {complete}-with-{addon_names[0]}"
 
 
 def _alike(image_set: ImageSet, name: str) -> list[str]:
@@ -325,16 +324,10 @@ def _of_addon(image_set: ImageSet, addon: str) -> Iterator[str]:
     yield f"its parts: {listed([entry.name for entry in entries])}"
     if any(entry.restricted for entry in entries):
         yield "its licence keeps it out of public registries: docs/licences.md"
-    for stack in matrix.stacks:
-        parts_of_stack = [part for part in image_set.parts if (part.kind, part.stack) == (entries[-1].name, stack)]
-        platforms = dict.fromkeys(platform for part in parts_of_stack for platform in part.platforms)
-        pythons = sorted(
-            {part.python for part in parts_of_stack} - {ANY_PYTHON}, key=lambda text: [*map(int, text.split("."))]
-        )
-        brought = combinations.brought(matrix, [entries[-1].name], matrix.stacks[stack])
-        what = listed([f"{item.title} {item.version}" for item in brought]) or entries[-1].title or addon
-        if parts_of_stack:
-            yield f"{stack}: {what} for {listed([*platforms])}{f', Python {listed(pythons)}' if pythons else ''}"
+    for it in addons.on_stacks(image_set, addon):
+        pythons = [python for python in it.pythons if python != ANY_PYTHON]
+        python = f", Python {listed(pythons)}" if pythons else ""
+        yield f"{it.stack}: {listed(it.brings)} for {listed(it.platforms)}{python}"
     images = [image for image in image_set.images if addon in image.addons]
     tags = [image.tags[0] for image in images if image.tags]
     yield f"tags with it: {some(tags)}" if tags else "no tag has it"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
@@ -67,19 +68,20 @@ def chosen(
         for name in names:
             if name not in section:
                 raise RosmlError(unknown(kind, name, section), f"there are {listed(list(section))}", exit_code=2)
-    plain = tuple(name for name, facts in matrix.frameworks.items() if not facts.parts)
-    frameworks = tuple(name for name in frameworks if name not in plain)
+    plain = combinations.plain(matrix)
+    frameworks = tuple(name for name in frameworks if name != plain)
     stacks = tuple(
         name
         for name in _stacks(matrix, distributions, frameworks)
         if accelerator in ("", matrix.stacks[name].accelerator)
     )
-    components = _components(matrix, default.component)
+    chain = combinations.chain(matrix, default.component)
+    components = (*chain, *(name for name, facts in matrix.components.items() if facts.runtime_of in chain))
     images = [
         item
         for item in image_set.images
         if item.distribution == distributions[0]
-        and item.combination in (frameworks or plain)
+        and item.combination in (frameworks or [plain])
         and item.component in components
         and item.stack in (None, *stacks)
     ]
@@ -87,35 +89,19 @@ def chosen(
         text = f"{distributions[0]} has no images with {listed(frameworks, 'or') or 'these'}{f' for {accelerator}' * bool(accelerator)}"
         raise RosmlError(text, f"see why: rosml list {distributions[0]}", exit_code=2)
     image = next((item for item in images if item.component == default.component), images[0])
-    return Chosen(distributions, components, (*plain, *frameworks), stacks, image, registry, source)
-
-
-def _components(matrix: Matrix, top: str) -> tuple[str, ...]:
-    """A component, those below it, and those for programs that are built."""
-    components: list[str] = []
-    name: str | None = top
-    while name:
-        components.insert(0, name)
-        name = matrix.components[name].builds_on
-    return (*components, *(name for name, facts in matrix.components.items() if facts.runtime_of in components))
+    return Chosen(distributions, components, (plain, *frameworks), stacks, image, registry, source)
 
 
 def _stacks(matrix: Matrix, distributions: Sequence[str], frameworks: Sequence[str]) -> tuple[str, ...]:
     """For each distribution and framework, the stack of its short tags and the first one for the CPU."""
-    stacks: list[str] = []
-    for distribution in distributions:
-        for framework in frameworks:
-            usual = combinations.default_stack(matrix, distribution, framework)
-            cpu = next(
-                (
-                    name
-                    for name, facts in matrix.stacks.items()
-                    if facts.accelerator == "cpu"
-                    and combinations.stack_reason(matrix, distribution, framework, name) is None
-                ),
-                None,
-            )
-            stacks += [name for name in (usual, cpu) if name]
+    stacks = set[str | None]()
+    for distribution, framework in product(distributions, frameworks):
+        on_cpu = (
+            name
+            for name, facts in matrix.stacks.items()
+            if facts.accelerator == "cpu" and combinations.stack_reason(matrix, distribution, framework, name) is None
+        )
+        stacks |= {combinations.default_stack(matrix, distribution, framework), next(on_cpu, None)}
     return tuple(name for name in matrix.stacks if name in stacks)
 
 

@@ -65,10 +65,8 @@ def _axes(matrix: Matrix) -> Iterator[Finding]:
     for axis in ("distributions", "components", "frameworks", "addons", "stacks"):
         for name in getattr(matrix, axis):
             if name in taken:
-                yield (
-                    (axis, name),
-                    f"the name {name!r} is taken ({taken[name]}); both would be the same group of targets",
-                )
+                text = f"the name {name!r} is taken ({taken[name]}); both would be the same group of targets"
+                yield (axis, name), text
             else:
                 taken[name] = f"by {axis}.{name}"
 
@@ -89,11 +87,8 @@ def _architectures(matrix: Matrix) -> Iterator[Finding]:
     for name, architecture in matrix.architectures.items():
         named_by_platform = architecture.platform.split("/")[1]
         if named_by_platform != name:
-            yield (
-                ("architectures", name, "platform"),
-                f"BuildKit calls the architecture of {architecture.platform} {named_by_platform!r}, and locks are found by that name;"
-                f" rename {name!r} to it, or correct the platform",
-            )
+            text = f"BuildKit calls the architecture of {architecture.platform} {named_by_platform!r}, and locks are found by that name"
+            yield ("architectures", name, "platform"), f"{text}; rename {name!r} to it, or correct the platform"
 
 
 def _operating_systems(matrix: Matrix) -> Iterator[Finding]:
@@ -118,10 +113,8 @@ def _same_python(matrix: Matrix) -> Iterator[Finding]:
         other = first.setdefault(os.python, name)
         for key in ("numpy", "provides"):
             if getattr(matrix.operating_systems[other], key) != getattr(os, key):
-                yield (
-                    ("operating_systems", name, key),
-                    f"{name} and {other} have Python {os.python} and so the same parts, but another '{key}'; they must agree",
-                )
+                same = f"{name} and {other} have Python {os.python} and so the same parts"
+                yield ("operating_systems", name, key), f"{same}, but another '{key}'; they must agree"
 
 
 def _components(matrix: Matrix) -> Iterator[Finding]:
@@ -189,10 +182,8 @@ def _addons(matrix: Matrix) -> Iterator[Finding]:
             for framework, facts in matrix.frameworks.items():
                 late = [other for other in facts.parts if other in order and part not in facts.parts]
                 if part in order and (late := [other for other in late if order.index(other) > order.index(part)]):
-                    text = (
-                        f"{part} comes before {late[0]} in 'parts', which framework {framework} takes; move it behind"
-                    )
-                    yield (*path, "parts", number), text
+                    where = f"comes before {late[0]} in 'parts', which framework {framework} takes"
+                    yield (*path, "parts", number), f"{part} {where}; move it behind"
         yield from _each((*path, "systems"), "stack", addon.systems, matrix.stacks)
         for stack, systems in addon.systems.items():
             yield from _each((*path, "systems", stack), "operating system", systems, matrix.operating_systems)
@@ -244,10 +235,8 @@ def _slot(path: KeyPath, part: PartEntry, slots: Mapping[int, str]) -> Iterator[
 def _releases(matrix: Matrix) -> Iterator[Finding]:
     for family, releases in matrix.releases.items():
         if family not in matrix.families:
-            yield (
-                ("releases", family),
-                f"no part is a release of it; add one to 'parts': {{name: {family}, release: {family}}}",
-            )
+            entry = f"{{name: {family}, release: {family}}}"
+            yield ("releases", family), f"no part is a release of it; add one to 'parts': {entry}"
         for version, release in releases.items():
             path: KeyPath = ("releases", family, version)
             yield from _each((*path, "wheels"), "stack", release.wheels, matrix.stacks)
@@ -382,10 +371,10 @@ def _no_apt(path: KeyPath, distribution: Distribution, os: OperatingSystem) -> I
     """If packages are named after a ROS distribution, such as ros-jazzy-ros-core, no system's own archive has them."""
     if "{ros_distro}" in (distribution.packages or "") and not distribution.archive and not distribution.wheels:
         channels = "'apt: {channel: live}', 'apt: {channel: snapshot, date: …}', past the end of life 'apt: {channel: final}', or "
+        sources = f"{channels * bool(os.codename)}'archive: {{address: …, suite: …, key: …}}'"
         yield (
             path,
-            f"{distribution.os} does not have ROS's packages itself, and no other source is named; "
-            f"add {channels * bool(os.codename)}'archive: {{address: …, suite: …, key: …}}'",
+            f"{distribution.os} does not have ROS's packages itself, and no other source is named; add {sources}",
         )
 
 
@@ -447,7 +436,5 @@ def _forecasts(
     yield from _each(path, kind, forecasts, allowed)
     for name in needed:
         if name not in forecasts:
-            yield (
-                path,
-                f"no forecast for {kind} {name}; add '{name}: {{unpacked: 900, compressed: 250}}', a guess will do",
-            )
+            entry = f"{name}: {{unpacked: 900, compressed: 250}}"
+            yield path, f"no forecast for {kind} {name}; add '{entry}', a guess will do"

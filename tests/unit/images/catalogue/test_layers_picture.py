@@ -27,6 +27,6 @@ def test_the_picture_says_what_each_image_adds(real: ImageSet) -> None:
         "jazzy-desktop-full-torch-cu130",
         "kilted-base-torch-cu130",
     ]
-    added = layers_picture.new_mb(real, images)
+    added = [megabytes for *_, megabytes in layers_picture.one_after_another(real, images)]
     assert added[1] == 0 and sum(added) == disk.registry_mb(real, images, ["amd64"])
     xml.etree.ElementTree.fromstring(layers_picture.render(real))
