@@ -45,10 +45,7 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
         tables.print_images(tagged_images or images)
         if tests := [image for image in images if not image.tags]:
             addons = list(dict.fromkeys(addon for image in tests for addon in image.addons))
-            text = (
-                f"{counted(len(tests), 'more image')} without a tag test"
-                if tagged_images
-                else "without a tag, these test"
-            )
+            more = f"{counted(len(tests), 'more image')} without a tag test"
+            text = more if tagged_images else "without a tag, these test"
             one = addons[0] if len(addons) == 1 else "NAME"
             terminal.echo(f"{text} {listed(addons)}, which go onto other images: rosml explain {one}")

@@ -216,16 +216,13 @@ def _not_chosen(matrix: Matrix, base: Matrix, name: str) -> str | None:
     for reading in _readings(base, name):
         row, component, stack = reading.distribution, reading.component, reading.stack
         distribution = matrix.distributions.get(row)
-        left_out = [
-            *(() if distribution else [f"the distribution {row}"]),
-            *(
-                [f"the component {component} of {row}"]
-                if distribution and component not in distribution.components
-                else ()
-            ),
-            *(() if reading.framework in matrix.frameworks else [f"the framework {reading.framework}"]),
-            *([f"the stack {stack}"] if stack and stack not in matrix.stacks else ()),
-        ]
+        lacks = {
+            f"the distribution {row}": not distribution,
+            f"the component {component} of {row}": distribution and component not in distribution.components,
+            f"the framework {reading.framework}": reading.framework not in matrix.frameworks,
+            f"the stack {stack}": stack and stack not in matrix.stacks,
+        }
+        left_out = [name for name, is_lacking in lacks.items() if is_lacking]
         reason = combinations.component_reason(base, row, component) or _stack_reason(base, reading)
         if left_out and not combinations.component_reason(base, row, component):
             end = f", and is not in rosml either: {reason}." if reason else "; it is in rosml: name it in set.yaml."
@@ -269,11 +266,8 @@ def _reason(image_set: ImageSet, name: str, reading: Wanted) -> str | None:
         target = names.image_target(reading.distribution, reading.component, reading.framework, reading.stack)
         if ":" in name and target in image_set.by_target:
             stack = combinations.default_stack(matrix, row, reading.framework)
-            why = (
-                f"short ones are for stack {stack} alone"
-                if stack
-                else "the distribution's default stack has no such framework"
-            )
+            short = f"short ones are for stack {stack} alone"
+            why = short if stack else "the distribution's default stack has no such framework"
             return f"there is no tag {name}: {why}; take {image_set.by_target[target].tags[0]}."
         return f"{name} is called {target}."
     reasons = {stack: combinations.stack_reason(matrix, row, reading.framework, stack) for stack in matrix.stacks}
@@ -362,13 +356,11 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
     yield f"{image.distribution} (ROS {image.ros}) has the component {image.component} and stands on {image.os}"
     yield f"{image.os} has Python {image.python} and numpy{system.numpy}, and is built for {listed(system.architectures)}"
     if distribution.experimental:
-        page = (
-            "docs/limits.md says what it has, and " if distribution.wheels else ""
-        )  # the page is about ROS 2 from wheels
+        # The page is about ROS 2 from wheels.
+        page = "docs/limits.md says what it has, and " if distribution.wheels else ""
         yield f"{image.distribution} is experimental: {page}it never gets the tag latest"
-    stands_on = (
-        image.os if image.parent.startswith("_") else image.parent
-    )  # a stage of the Dockerfile, which has no image
+    # A name that begins with _ is a stage of the Dockerfile, which has no image.
+    stands_on = image.os if image.parent.startswith("_") else image.parent
     if image.stack:
         stack = matrix.stacks[image.stack]
         for family in combinations.families(matrix, matrix.carrying(image.framework, *image.addons)):
