@@ -38,7 +38,7 @@ COMMANDS: dict[str, click.Command] = {
     **{f"publish {name}": subcommand for name, subcommand in publish.main.commands.items()},
     **{
         name: main.cli.commands[name]
-        for name in (
+        for name in [
             "catalogue",
             "delta",
             "generate",
@@ -51,7 +51,7 @@ COMMANDS: dict[str, click.Command] = {
             "plan",
             "save",
             "status",
-        )
+        ]
     },
 }
 

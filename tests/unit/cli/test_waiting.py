@@ -18,16 +18,7 @@ from rosml.cli.main import MODULES
 from rosml.images.image_set import expand, load, lock_file
 
 HEAVY = {
-    "asyncio",
-    "httpx",
-    "importlib.metadata",
-    "jinja2",
-    "packageurl",
-    "pydantic",
-    "rich",
-    "ssl",
-    "subprocess",
-    "yaml",
+    *["asyncio", "httpx", "importlib.metadata", "jinja2", "packageurl", "pydantic", "rich", "ssl", "subprocess", "yaml"]
 }
 
 IMPORTS = """\

@@ -24,13 +24,13 @@ def copy(folder: Path) -> Path:
         shutil.copytree(ROOT / name, folder / name, copy_function=shutil.copy)
     for name in ("docs", "tools"):
         (folder / name).mkdir()
-    for name in (
+    for name in [
         "Dockerfile",
         "docs/tags.md",
         "docs/licences.md",
         "tools/requirements.txt",
         "tools/structure-test.txt",
-    ):
+    ]:
         shutil.copy(ROOT / name, folder / name)
     lock = folder / LOCK
     lock.parent.mkdir(parents=True)
@@ -41,24 +41,9 @@ def copy(folder: Path) -> Path:
 def copy_for_generator(folder: Path) -> Path:
     for name in ("components", "locks", "src", "scripts", "tests/structure", "tools"):
         shutil.copytree(ROOT / name, folder / name)
-    for name in (
-        "matrix.yaml",
-        "matrix.schema.json",
-        bake_file.NAME,
-        bake_file.TESTS,
-        "Dockerfile",
-        "Makefile",
-        "rosml",
-    ):
-        shutil.copy(ROOT / name, folder)
-    shutil.copy(ROOT / "catalogue.schema.json", folder)
-    for name in (
-        "docs/tags.md",
-        "docs/licences.md",
-        "docs/images/layers.svg",
-        "docs/images/rebase.svg",
-        *ci_files.FILES,
-    ):
+    pages = ("docs/tags.md", "docs/licences.md", "docs/images/layers.svg", "docs/images/rebase.svg")
+    files = ["matrix.yaml", "matrix.schema.json", "catalogue.schema.json", "Dockerfile", "Makefile", "rosml"]
+    for name in (*files, bake_file.NAME, bake_file.TESTS, *pages, *ci_files.FILES):
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     return folder

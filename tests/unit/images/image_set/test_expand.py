@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from itertools import product
 from pathlib import Path
 
@@ -165,28 +166,6 @@ def test_a_group_without_a_lock_is_explained(small: ImageSet) -> None:
     )
 
 
-@pytest.mark.parametrize(
-    ("package", "current"),
-    [
-        ("nvidia-cuda-runtime-cu12==12.8.90", True),
-        ("nvidia-cuda-runtime-cu12==12.8.93", False),
-        ("nvidia-cudnn-cu12==9.10.2.21", True),
-        ("nvidia-cudnn-cu12==9.10.2.22", False),
-        ("nvidia-cudnn==9.10.2.22", False),
-        ("nvidia-cublas-cu12==1", True),
-    ],
-)
-def test_a_lock_with_another_cuda_than_the_stack_promises_is_none(
-    package: str, current: bool, small: ImageSet, tmp_path: Path
-) -> None:
-    (tmp_path / "matrix.yaml").write_text(SMALL)
-    write_locks(tmp_path, small)
-    cuda = tmp_path / "locks/cu1/amd64/any/cuda.txt"
-    head = cuda.read_text().splitlines()[0]
-    cuda.write_text(f"{head}\n{package} \\\n    --hash=sha256:{'0' * 64}\n")
-    assert load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-cuda-cu1").locked == current
-
-
 def test_an_image_named_like_a_part() -> None:
     """Both are keys of DIGESTS."""
     text = (
@@ -277,37 +256,37 @@ def test_what_takes_long_is_tested_where_it_can_be_built(small: ImageSet) -> Non
         assert tested(image_set, "alpha-core-torch-cpu") == alone
 
 
-def test_a_lock_of_another_release_is_none(small: ImageSet, tmp_path: Path) -> None:
+def lock_of_cuda(package: str) -> Callable[[str], str]:
+    return lambda text: f"{text.splitlines()[0]}\n{package} \\\n    --hash=sha256:{'0' * 64}\n"
+
+
+EDITS_OF_LOCKS: tuple[tuple[str, Callable[[str], str], bool], ...] = (
+    ("3.12/torch", lambda text: text, True),
+    ("3.12/torch", lambda text: text.replace("torch==2.10.0", "torch==2.10.0+cpu"), True),
+    ("3.12/torch", lambda text: text.replace("torch==2.10.0", "torch==2.9.1"), False),
+    ("3.12/torch", lambda text: text.replace("3.12", "3.14"), False),
+    ("3.12/torch", lambda text: text[:-20], False),
+    ("3.12/torch", lambda text: f"{text}-r /etc/passwd\n", False),
+    ("3.12/torch", lambda text: f"{text}x @ https://example.org/x.whl\n", False),
+    ("3.12/torch", lambda text: text.replace("--hash=sha256:", "#"), False),
+    ("3.12/torch", lambda text: "\x00\ufffd", False),
+    ("any/cuda", lock_of_cuda("nvidia-cuda-runtime-cu12==12.8.90"), True),
+    ("any/cuda", lock_of_cuda("nvidia-cuda-runtime-cu12==12.8.93"), False),
+    ("any/cuda", lock_of_cuda("nvidia-cudnn==9.10.2.22"), False),
+    ("any/cuda", lock_of_cuda("nvidia-cublas-cu12==1"), True),
+)
+
+
+@pytest.mark.parametrize(("name", "edit", "counts"), EDITS_OF_LOCKS)
+def test_a_lock_that_is_not_of_its_part_is_none(
+    name: str, edit: Callable[[str], str], counts: bool, small: ImageSet, tmp_path: Path
+) -> None:
+    """One of another release, Python or CUDA; one that was cut or edited."""
     (tmp_path / "matrix.yaml").write_text(SMALL)
     write_locks(tmp_path, small)
-    assert all(image.locked for image in load(tmp_path / "matrix.yaml", tmp_path).images)
-    torch = tmp_path / "locks/cu1/amd64/3.12/torch.txt"
-    whole = torch.read_text()
-
-    def locked() -> bool:
-        return load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-torch-cu1").locked
-
-    assert locked()
-    for text, counts in {
-        whole.replace("torch==2.10.0", "torch==2.10.0+cpu"): True,
-        whole.replace("torch==2.10.0", "torch==2.9.1"): False,
-        whole.replace("3.12", "3.14"): False,
-        whole.replace("torch==2.10.0", "torch==2.9.1").replace("tensorflow==2.20.0", "tensorflow==2.10.0"): False,
-        whole[:-20]: False,
-        f"{whole}-r /etc/passwd\n": False,
-        f"{whole}x @ https://example.org/x.whl\n": False,
-        whole.replace("--hash=sha256:", "#"): False,
-        "\x00\ufffd": False,
-        "": False,
-    }.items():
-        torch.write_text(text)
-        assert locked() == counts, text
-    torch.unlink()
-    torch.mkdir()
-    assert not locked()
-    torch.rmdir()
-    torch.symlink_to("nowhere")
-    assert not locked()
+    lock = tmp_path / f"locks/cu1/amd64/{name}.txt"
+    lock.write_text(edit(lock.read_text()))
+    assert load(tmp_path / "matrix.yaml", tmp_path).image("alpha-core-torch-cu1").locked == counts
 
 
 SIZES = ", ".join(f"{part}: {{unpacked: 1, compressed: 1}}" for part in ("cuda", "common", "torch"))

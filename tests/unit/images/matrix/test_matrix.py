@@ -44,9 +44,22 @@ MEGABYTES, MEGABYTES_FOR_IMAGE = 100, 0.02
 
 
 def outcome(content: bytes) -> sets.ImageSet | None:
-    """The catalogue, or None if the matrix is refused; in bounded memory. Any other exception is a bug."""
+    """The image set, read as the command reads it, from a file; None if the matrix is refused. In bounded memory. Any other exception
+    is a bug."""
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    image_set = judged(content)
+    image_set = None
+    try:
+        with tempfile.NamedTemporaryFile() as file:
+            file.write(content)
+            file.flush()
+            image_set = load.load(Path(file.name))
+    except RosmlError as error:
+        assert error.exit_code == 2 and error.message and "Traceback" not in error.message
+        if isinstance(error, InputError):
+            lines = content.count(b"\n") + content.count(b"\r") + 2
+            assert all(1 <= problem.line <= lines and problem.column >= 1 for problem in error.problems)
+    if image_set:
+        bake_file.render(image_set)
     megabytes = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - memory) / 1024
     assert megabytes < MEGABYTES + MEGABYTES_FOR_IMAGE * (len(image_set.images) if image_set else 0)
     return image_set
@@ -55,25 +68,6 @@ def outcome(content: bytes) -> sets.ImageSet | None:
 def on_a_matrix(places: Callable[[str], Strategy]) -> Strategy:
     """A matrix's text, the real one in one of five examples, with what a strategy draws for it."""
     return st.sampled_from([SMALL] * 4 + [REAL]).flatmap(lambda text: st.tuples(st.just(text), places(text)))
-
-
-def judged(content: bytes) -> sets.ImageSet | None:
-    """As the command reads it, from a file."""
-    try:
-        with tempfile.NamedTemporaryFile() as file:
-            file.write(content)
-            file.flush()
-            image_set = load.load(Path(file.name))
-    except RosmlError as error:
-        assert error.exit_code == 2
-        assert error.message
-        assert "Traceback" not in error.message
-        if isinstance(error, InputError):
-            lines = content.count(b"\n") + content.count(b"\r") + 2
-            assert all(1 <= problem.line <= lines and problem.column >= 1 for problem in error.problems)
-        return None
-    bake_file.render(image_set)
-    return image_set
 
 
 @PROFILE
@@ -112,24 +106,30 @@ PATHS = {text: st.sampled_from(paths(data)[1:]) for text, data in DATA.items()}
 KINDS_OF_EDIT = st.sampled_from(["replace", "remove", "rename"])
 
 
+def edit(data: Any, path: tuple[Any, ...], kind: str, value: Any) -> None:
+    """Changes data at a path. An earlier edit may have taken it away."""
+    try:
+        for step in path[:-1]:
+            data = data[step]
+        before = data[path[-1]]
+    except (KeyError, IndexError, TypeError):
+        return
+    if kind == "replace":
+        data[path[-1]] = value
+    elif kind == "add" and isinstance(before, dict):
+        before["surplus"] = value
+    elif isinstance(data, dict):
+        del data[path[-1]]
+        if kind == "rename":
+            data[str(value)] = before
+
+
 @PROFILE
 @given(on_a_matrix(lambda text: st.lists(st.tuples(PATHS[text], KINDS_OF_EDIT, VALUES), max_size=3)))
 def test_any_edit_of_the_data(edits: tuple[str, list[tuple[tuple[Any, ...], str, Any]]]) -> None:
     data = copy.deepcopy(DATA[edits[0]])
     for path, kind, value in edits[1]:
-        owner = data
-        try:
-            for step in path[:-1]:
-                owner = owner[step]
-            before = owner[path[-1]]
-        except (KeyError, IndexError, TypeError):
-            continue  # an earlier edit took it away
-        if kind == "replace":
-            owner[path[-1]] = value
-        elif isinstance(owner, dict):
-            del owner[path[-1]]
-            if kind == "rename":
-                owner[str(value)] = before
+        edit(data, path, kind, value)
     outcome(yaml.safe_dump(data, allow_unicode=True).encode("utf-8", errors="surrogatepass"))
 
 
@@ -265,7 +265,7 @@ def test_memory() -> None:
     content = synthetic.matrix(2_000).encode()
     tracemalloc.start()
     try:
-        judged(content)
+        outcome(content)
         peak = tracemalloc.get_traced_memory()[1] / 1_000_000
     finally:
         tracemalloc.stop()
@@ -318,22 +318,13 @@ SIMPLE = st.none() | st.booleans() | st.integers(-2, 2) | st.sampled_from(["core
 @settings(PROFILE, max_examples=PROFILE.max_examples * 3 // 2)
 @given(on_a_matrix(PATHS.__getitem__), st.sampled_from(["replace", "remove", "rename", "add"]), SIMPLE)
 def test_schema_and_model_judge_alike(place: tuple[str, tuple[Any, ...]], kind: str, value: Any) -> None:
-    data, path = copy.deepcopy(DATA[place[0]]), place[1]
-    owner = data
-    for step in path[:-1]:
-        owner = owner[step]
-    before = owner[path[-1]]
-    if isinstance(before, datetime.date):
-        return  # text in the schema, a day in the model
-    if kind == "replace":
-        owner[path[-1]] = value
-    elif kind == "add" and isinstance(before, dict):
-        before["surplus"] = value
-    elif isinstance(owner, dict):
-        del owner[path[-1]]
-        if kind == "rename":
-            owner[str(value)] = before
-    assert model_accepts(tupled(data)) == accepts(data)
+    data = copy.deepcopy(DATA[place[0]])
+    value_before = data
+    for step in place[1]:
+        value_before = value_before[step]
+    if not isinstance(value_before, datetime.date):  # text in the schema, a day in the model
+        edit(data, place[1], kind, value)
+        assert model_accepts(tupled(data)) == accepts(data)
 
 
 def test_every_key_is_described() -> None:
