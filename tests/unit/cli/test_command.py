@@ -265,6 +265,12 @@ def test_output_that_is_closed(more: str) -> None:
         assert re.fullmatch("error: standard output is closed.*\nremedy: send it .*\n", done.stderr)
 
 
+@pytest.mark.parametrize("number", [1, 2])
+def test_no_file_gets_the_number_of_closed_output(number: int) -> None:
+    argv = program(f"sys.exit(open({os.devnull!r}).fileno() == {number})")
+    assert subprocess.run(["bash", "-c", f"{shlex.join(argv)} {number}>&-"], env=PATH, check=False).returncode == 0
+
+
 @pytest.mark.parametrize("variables", [{"PYTHONIOENCODING": "latin-1"}, {"LC_ALL": "C", "PYTHONUTF8": "0"}])
 def test_output_that_knows_few_letters(variables: dict[str, str]) -> None:
     argv = program("click.echo('a \\u2192 b')")
