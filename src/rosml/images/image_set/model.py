@@ -90,7 +90,7 @@ class Image:
         platforms: the same by BuildKit's names.
         versions: the versions in it, e.g. `{"torch": "2.10.0", "cuda": "12.8.90"}`.
         brought: its software that labels and the environment name.
-        gpu: the facts about GPUs in its labels (rules.gpu).
+        gpu: the facts about GPUs in its labels (combinations.gpu).
         repository: its repository without the registry.
         tags: `repository:tag` without the registry; the first one is the main tag. None if it only tests its add-on.
         groups: bake groups that build it.

@@ -1,6 +1,6 @@
 """The structure of matrix.yaml: its keys and the types of their values.
 
-`references` checks whether the names in it exist; `rules` decides which combinations exist. The descriptions here become
+`references` checks whether the names in it exist; `combinations` decides which images exist. The descriptions here become
 matrix.schema.json, which editors show.
 """
 
@@ -456,7 +456,7 @@ class Matrix(Facts):
 
     @cached_property
     def answers(self) -> dict[Any, Any]:
-        """The answers that `rules.remembered` keeps: a matrix never changes, so they stay true."""
+        """The answers that `combinations.remembered` keeps: a matrix never changes, so they stay true."""
         return {}
 
     def carrying(self, framework: str, addon: str = "") -> Framework:

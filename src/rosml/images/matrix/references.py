@@ -411,7 +411,8 @@ def _disk(matrix: Matrix) -> Iterator[Finding]:
         ("disk", "components"), "component", matrix.disk.components, matrix.components, matrix.components
     )
     yield from _each(("disk", "parts"), "stack", matrix.disk.parts, matrix.stacks)
-    together = [facts.parts for facts in (*matrix.frameworks.values(), *matrix.addons.values())]
+    together = [facts.parts for facts in matrix.frameworks.values()]
+    together += [facts.parts for facts in matrix.addons.values()]
     for name, stack in matrix.stacks.items():
         candidates = [[matrix.part[part] for part in parts if part in matrix.part] for parts in together]
         available = [parts for parts in candidates if all(part.release in (None, *stack.releases) for part in parts)]
