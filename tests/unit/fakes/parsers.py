@@ -262,7 +262,9 @@ def entry_of(document: bytes, folder: Path) -> object:
     records.artifact("alpha-base.amd64", document, {store.ANNOTATION: annotation})
     image = registry.put_manifest(f"{PREFIX}/ros", "", {"schemaVersion": 2, "layers": []})
     data = b'{"entry": ' + document + b', "inputs": {}}'
-    registry.attach(f"{PREFIX}/ros", oci.descriptor(oci.IMAGE, b"") | {"digest": image}, store.ARTIFACT, data, store.LAYER)
+    registry.attach(
+        f"{PREFIX}/ros", oci.descriptor(oci.IMAGE, b"") | {"digest": image}, store.ARTIFACT, data, store.LAYER
+    )
     return records.read("alpha-base", "amd64"), records.attached("ros", image)
 
 
