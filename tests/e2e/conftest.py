@@ -1,56 +1,29 @@
-"""End-to-end tests build, enter and publish real images with the services that `rosml setup` started.
-
-They publish into a namespace of their own, so that they never move a tag that somebody uses.
-"""
+"""End-to-end tests build, enter and publish real images with the services that `rosml setup` started."""
 
 from __future__ import annotations
 
 import dataclasses
 import json
-import logging
 import os
-import shutil
-import subprocess
-import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Sequence
 from contextlib import ExitStack, suppress
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import turn
-from rosml.images.bake import bake_file
 from rosml.images.image_set import load
-from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.image_set.model import ImageSet
 from rosml.machine.services import Services
-from tests import regctl
+from tests.e2e import images
+from tests.e2e import mini as minis
 from tests.e2e.builders import builder
-
-NAMESPACE = "rosml-test"
-LOG = logging.getLogger("e2e")
-
-HANGS = 720.0
-"""Seconds after which a command that a test waits for hangs; less than a test's own limit (tests/limits.py)."""
-
-# What a build needs of a checkout; the rest is documentation and tests.
-CHECKOUT = (
-    "Dockerfile",
-    ".dockerignore",
-    bake_file.NAME,
-    bake_file.TESTS,
-    "matrix.yaml",
-    "components",
-    "locks",
-    "src",
-    "scripts",
-    "tools",
-)
-
+from tests.e2e.calls import LOG, NAMESPACE, publish
+from tests.e2e.images import BuildOn, Publish, Published
+from tests.e2e.mini import Mini
 
 FIRST = (
     "images",
@@ -93,11 +66,11 @@ def pytest_sessionstart(session: pytest.Session) -> None:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="rosml-e2e-")))
         stack.enter_context(pytest.MonkeyPatch.context()).setenv(SESSION, str(folder))
         with suppress(RosmlError):  # without services each test that needs them says so
-            found = Services.load(ROOT)
-            found.require_builder()
-            if found.builder_kind == "buildkitd":
+            services = Services.load(ROOT)
+            services.require_builder()
+            if services.builder_kind == "buildkitd":
                 name = f"small-{os.getpid()}"
-                stack.enter_context(builder(name, folder / "builder", found))
+                stack.enter_context(builder(name, folder / "builder", services))
                 (folder / "name").write_text(name)
         session.config.stash[CLOSING] = stack.pop_all()
 
@@ -107,50 +80,15 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
         stack.close()
 
 
-@dataclass(frozen=True)
-class Run:
-    """A command that ended: exit code, standard output, standard error."""
-
-    code: int
-    out: str
-    err: str
-
-
-def run(*command: str, cwd: Path = ROOT, env: dict[str, str] | None = None) -> Run:
-    """Runs a command; its progress lines appear in the test's log while it works."""
-    process = subprocess.Popen(
-        command,
-        cwd=cwd,
-        env={**os.environ, **(env or {})},
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
-    assert process.stderr and process.stdout
-    lines = []
-    for line in process.stderr:
-        LOG.info("%s", line.rstrip())
-        lines.append(line)
-    return Run(process.wait(), process.stdout.read(), "".join(lines))
-
-
-def publish(target: str, *options: str, root: Path = ROOT) -> Run:
-    """`rosml image`, as `make image` calls it, in the tests' namespace."""
-    return run(
-        sys.executable, str(root / "src"), "image", target, "--namespace", NAMESPACE, "--json", *options, cwd=root
-    )
-
-
 @pytest.fixture(scope="session")
 def services() -> Services:
     try:
-        found = Services.load(ROOT)
-        found.require_registry()
-        found.require_builder()
+        services = Services.load(ROOT)
+        services.require_registry()
+        services.require_builder()
     except RosmlError as error:
         pytest.fail(f"{error.message}; {error.remedy}", pytrace=False)
-    return found
+    return services
 
 
 @pytest.fixture(scope="session")
@@ -169,39 +107,13 @@ def own_builders(services: Services) -> None:
         pytest.skip("Docker is the builder here, and these tests start and kill a buildkitd of their own")
 
 
-def small_file_system(folder: Path, size: str, services: Services) -> None:
-    """Mounts one of a size, such as `50m`; whoever calls it unmounts it."""
-    if os.geteuid() != 0:
-        assert services.builder_kind != "buildkitd", "without Docker, set-up and tests need root"
-        pytest.skip("Docker is the builder here, and only root may mount a file system")
-    subprocess.run(["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(folder)], check=True)
-
-
 @pytest.fixture(scope="session")
 def image_set() -> ImageSet:
     return load.load(ROOT / "matrix.yaml")
 
 
-@dataclass(frozen=True)
-class Published:
-    """A published image: its facts, what the command reported, and where it is."""
-
-    image: Image
-    result: dict[str, Any]
-    repository: str
-    services: Services
-
-    @property
-    def reference(self) -> str:
-        return f"{self.repository}@{self.result['manifest']}"
-
-    @property
-    def layers(self) -> list[str]:
-        return [layer.digest for layer in regctl.layers(self.services, self.reference)]
-
-
 @pytest.fixture(scope="session")
-def published(services: Services, image_set: ImageSet) -> Callable[[str], Published]:
+def published(services: Services, image_set: ImageSet) -> Publish:
     """Publishes a target once per run, whichever process is the first to want it."""
     folder = Path(os.environ[SESSION])
 
@@ -220,17 +132,32 @@ def published(services: Services, image_set: ImageSet) -> Callable[[str], Publis
 
 
 @pytest.fixture
+def build_on(services: Services, published: Publish, tmp_path: Path) -> BuildOn:
+    """Builds steps on a published image, as `images.context` says; gives what the builder said."""
+
+    def build(target: str, steps: Sequence[str], name: str = "") -> str:
+        images.context(published(target).reference, tmp_path, steps, name)
+        return images.build(services, tmp_path)
+
+    return build
+
+
+@pytest.fixture
 def checkout(tmp_path: Path) -> Path:
     """A copy of what a build needs, in another folder, on the same services: tests may break it."""
-    for name in CHECKOUT:
-        source = ROOT / name
-        if source.is_dir():
-            shutil.copytree(source, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__"))
-        else:
-            shutil.copy(source, tmp_path / name)
-    shutil.copytree(ROOT / "tests" / "structure", tmp_path / "tests" / "structure")
-    (tmp_path / ".state").mkdir()
-    for name in ("services.json", "registry", "base", "auth", "bin"):
-        if (ROOT / ".state" / name).exists():
-            (tmp_path / ".state" / name).symlink_to(ROOT / ".state" / name)
+    minis.copy_checkout(tmp_path, "services.json")
     return tmp_path
+
+
+@pytest.fixture(scope="module")
+def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
+    """The small project; a module may add to it."""
+    return minis.make(tmp_path_factory.mktemp("mini"), beside)
+
+
+@pytest.fixture
+def mini(project: Mini) -> Mini:
+    """The small project with nothing broken, and an empty place in the registry."""
+    project.mark()
+    project.poison(poisoned=False)
+    return project.elsewhere()

@@ -21,7 +21,7 @@ from pathlib import Path
 
 from rosml.machine.services import Services
 from tests.e2e import images
-from tests.e2e.conftest import Run, run
+from tests.e2e.calls import Run, run
 
 START_SECONDS = 60.0
 DAEMONS = ("/usr/sbin/dockerd", "/usr/bin/dockerd", "/usr/local/bin/dockerd")

@@ -4,20 +4,56 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any, Protocol
 
 from rosml import ROOT
 from rosml.images.builds import base_images
 from rosml.images.builds.push import COMPRESSION
 from rosml.images.image_set import load
-from rosml.images.image_set.model import Part
+from rosml.images.image_set.model import Image, Part
 from rosml.images.matrix import names
-from rosml.machine import buildx
+from rosml.machine import buildx as builder
 from rosml.machine.services import Services
 from tests import regctl
-from tests.e2e.conftest import NAMESPACE, Published, run
+from tests.e2e.calls import NAMESPACE, succeeds
+
+SOURCES = Path(__file__).parent
+"""Where the programs are that tests run in images."""
+
+
+@dataclass(frozen=True)
+class Published:
+    """A published image: its facts, what the command reported, and where it is."""
+
+    image: Image
+    result: dict[str, Any]
+    repository: str
+    services: Services
+
+    @property
+    def reference(self) -> str:
+        return f"{self.repository}@{self.result['manifest']}"
+
+    @property
+    def layers(self) -> list[str]:
+        return layers(self.services, self.reference)
+
+    @property
+    def part_layers(self) -> list[str]:
+        """The layers that are its parts'."""
+        return self.layers[-len(self.image.parts) :]
+
 
 Publish = Callable[[str], Published]
+
+
+class BuildOn(Protocol):
+    """Builds steps on a published image; gives what the builder said."""
+
+    def __call__(self, target: str, steps: Sequence[str], name: str = "") -> str: ...
+
 
 NATIVE = base_images.native_architecture()
 PLATFORM = f"linux/{NATIVE}"
@@ -28,26 +64,40 @@ def ca_secret(services: Services) -> list[str]:
     return ["--secret", f"id=ca-bundle,src={services.ca_bundle}"] if services.ca_bundle else []
 
 
+def layers(services: Services, reference: str) -> list[str]:
+    """The digests of an image's layers, lowest first."""
+    return [layer.digest for layer in regctl.layers(services, reference)]
+
+
+def config(services: Services, reference: str) -> dict[str, Any]:
+    """What containers of an image start with: environment, entrypoint, labels."""
+    content: dict[str, Any] = regctl.image_config(services, reference, PLATFORM)["config"]
+    return content
+
+
+def buildx(services: Services, *arguments: str) -> str:
+    """A build of a user's; returns what the builder said."""
+    command = [*services.buildx, "build", "--progress", "plain", *ca_secret(services), *arguments]
+    return succeeds(*command, env=services.environment()).err
+
+
 def build(services: Services, folder: Path, *options: str) -> str:
-    """Builds a folder's Dockerfile as a user would; returns what the builder said: of every step, because what another run or
-    another test left in the cache says nothing."""
+    """Builds a folder's Dockerfile as a user would, each step again: what another test left in the cache says nothing.
+
+    Returns what the builder said.
+    """
     if not any(option.startswith("--no-cache") for option in options):
         options = ("--no-cache", *options)
     if HOST in (folder / "Dockerfile").read_text():
         options = ("--allow", "network.host", *options)
-    command = [
-        *services.buildx,
-        "build",
-        "--progress",
-        "plain",
-        "--output",
-        "type=cacheonly",
-        *ca_secret(services),
-        *options,
-    ]
-    outcome = run(*command, str(folder), env=services.environment())
-    assert outcome.code == 0, outcome.err
-    return outcome.err
+    return buildx(services, "--output", "type=cacheonly", *options, str(folder))
+
+
+def build_file(services: Services, folder: Path, text: str, *options: str) -> str:
+    """The same with the text of a Dockerfile, in a folder that is made if it is missing."""
+    folder.mkdir(exist_ok=True)
+    (folder / "Dockerfile").write_text(text)
+    return build(services, folder, *options)
 
 
 INSTALL = """\
@@ -86,7 +136,7 @@ def context(reference: str, folder: Path, steps: Sequence[str], name: str = "") 
         (folder / tool).write_text(text)
         (folder / tool).chmod(0o755)
     if name:
-        shutil.copytree(Path(__file__).parent / name, folder / Path(name).name)
+        shutil.copytree(SOURCES / name, folder / Path(name).name)
     mounts = "--mount=type=bind,source=network.sh,target=/run/network.sh --mount=type=secret,id=ca-bundle"
     mounts += "".join(f" --mount=type=bind,source={tool},target=/usr/local/bin/{tool}" for tool in tools)
     lines = [f"FROM {reference}", *([f"COPY {Path(name).name} /{Path(name).name}"] if name else [])]
@@ -94,12 +144,6 @@ def context(reference: str, folder: Path, steps: Sequence[str], name: str = "") 
     options = [f"{HOST if word == 'nearby' else ''} {mounts if word in tools else ''}" for word in first]
     lines += [f"RUN {option} {step}" for option, step in zip(options, steps, strict=True)]
     (folder / "Dockerfile").write_text("\n".join(lines) + "\n")
-
-
-def build_on(services: Services, image: Published, folder: Path, steps: Sequence[str], name: str = "") -> str:
-    """Builds on an image, as `context` says; returns what the builder said."""
-    context(image.reference, folder, steps, name)
-    return build(services, folder)
 
 
 def push(
@@ -111,7 +155,7 @@ def push(
     variables: Mapping[str, str] | None = None,
 ) -> None:
     """Builds a target, on the operating system of a published image, and pushes it by its tags below a place."""
-    bake = buildx.Bake(
+    bake = builder.Bake(
         target,
         f"push-{target}",
         ROOT / "docker-bake.hcl",
@@ -123,7 +167,7 @@ def push(
             **(variables or {}),
         },
     )
-    buildx.run(services, bake)
+    builder.run(services, bake)
 
 
 def push_part(
@@ -132,14 +176,15 @@ def push_part(
     """Pushes a part as an image of its own, by its name as a tag; returns its layers."""
     prefix = f"{services.registry}/{NAMESPACE}"
     push(services, image, part.target, prefix, *sets, variables=variables)
-    return [layer.digest for layer in regctl.layers(services, f"{prefix}/part:{part.name}")]
+    return layers(services, f"{prefix}/part:{part.name}")
 
 
-def base_reference(image: Published) -> str:
-    """The operating system's image that an image starts from."""
+def system(services: Services, name: str, architecture: str = NATIVE) -> str:
+    """The image of an operating system that images start from."""
     systems = load.load(ROOT / "matrix.yaml").matrix.operating_systems
-    return base_images.reference(image.services, systems, image.image.os, NATIVE)
+    return base_images.reference(services, systems, name, architecture)
 
 
 def base_image(image: Published) -> str:
-    return f"docker-image://{base_reference(image)}"
+    """The same, of an image, as a context of a build."""
+    return f"docker-image://{system(image.services, image.image.os)}"

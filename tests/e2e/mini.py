@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
 import re
 import shutil
 import subprocess
@@ -21,7 +20,7 @@ import yaml
 
 from rosml import ROOT
 from rosml.base.file_lock import turn
-from rosml.images.builds import base_images
+from rosml.images.bake import bake_file
 from rosml.images.image_set import load
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish.state import Request
@@ -34,13 +33,21 @@ from rosml.registry import oci
 from rosml.registry.client import Registry
 from rosml.registry.place import Place
 from tests import regctl
-from tests.e2e.conftest import CHECKOUT, Run, run
-from tests.e2e.images import ca_secret
+from tests.e2e.calls import Run, run
+from tests.e2e.images import NATIVE, buildx, system
+
+CHECKOUT = (
+    *("Dockerfile", ".dockerignore", bake_file.NAME, bake_file.TESTS, "matrix.yaml"),
+    *("components", "locks", "src", "scripts", "tools", "tests/structure"),
+)
+"""What a build needs of a checkout."""
+
+OTHER = "amd64" if NATIVE == "arm64" else "arm64"
+
+PARTS = ("common-cpu-py311", "grpc-cpu-py311", "tensorflow-cc-cpu", "tensorflow-cpu-py311")
+"""What an image with TensorFlow has."""
 
 NOTHING = "#!/usr/bin/env bash\n"
-
-NATIVE = base_images.native_architecture()
-OTHER = "amd64" if NATIVE == "arm64" else "arm64"
 
 CONTRACT = """\
 #!/usr/bin/env bash
@@ -126,27 +133,23 @@ class Mini:
         """A publishing command with its place."""
         return run(*self.command(*arguments, "--registry", self.registry), cwd=self.folder, env=env)
 
-    def all(self, *arguments: str, env: dict[str, str] | None = None) -> dict[str, Any]:
-        """A whole publishing run that succeeds; what it says."""
-        outcome = self.publish("all", "--serve", NATIVE, "--json", *arguments, env=env)
+    def says(self, *arguments: str, env: dict[str, str] | None = None) -> dict[str, Any]:
+        """What a publishing command says that succeeds."""
+        outcome = self.publish(*arguments, "--json", env=env)
         assert outcome.code == 0, outcome.err + outcome.out
-        content = json.loads(outcome.out)
-        assert isinstance(content, dict)
+        content: dict[str, Any] = json.loads(outcome.out)
         return content
 
-    def start(
-        self, *arguments: str, env: dict[str, str] | None = None, log: Path = Path(os.devnull)
-    ) -> subprocess.Popen[bytes]:
+    def all(self, *arguments: str, env: dict[str, str] | None = None) -> dict[str, Any]:
+        """What a whole publishing run says that succeeds."""
+        return self.says("all", "--serve", NATIVE, *arguments, env=env)
+
+    def start(self, *arguments: str, log: Path) -> subprocess.Popen[bytes]:
         """A publishing run that somebody ends; what it says goes into a file."""
         command = self.command("all", "--serve", NATIVE, "--registry", self.registry, *arguments)
-        with log.open("wb") as said:
+        with log.open("wb") as err:
             return subprocess.Popen(
-                command,
-                cwd=self.folder,
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=said,
-                env={**os.environ, **(env or {})},
+                command, cwd=self.folder, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=err
             )
 
     def recorded(self, date: str) -> set[tuple[str, str]]:
@@ -154,12 +157,12 @@ class Mini:
         book = Records(self.place())
         names = [name for name in book.registry.tags(book.repository) if not name.startswith(("sha256-", UNDO))]
         entries = [book.read(*name.rpartition(".")[::2]) for name in names if not name.endswith(f".{INDEX}")]
-        found = set[tuple[str, str]]()
+        work = set[tuple[str, str]]()
         for entry in entries:
             if entry and entry.digest and entry.date == date and not entry.failed:
-                found.add(("join" if entry.repository == "ros-tf" else "build", entry.target))
-                found |= {("test", entry.target)} if entry.passed else set()
-        return found
+                work.add(("join" if entry.repository == "ros-tf" else "build", entry.target))
+                work |= {("test", entry.target)} if entry.passed else set()
+        return work
 
     def put_other(self, target: str = "ros1-bookworm-core", **labels: str) -> str:
         """Puts what a runner for the other architecture would have left: an image, here of this one's layers, and its entry, with tests
@@ -184,11 +187,11 @@ class Mini:
         client.put_blob(path, data)
         content = manifest.content | {"config": oci.descriptor(oci.CONFIG, data)}
         digest = client.put_manifest(path, "", content)
-        known = book.read(*item.key)
-        before = (*known.superseded, known.digest) if known else ()
+        entry = book.read(*item.key)
+        before = (*entry.superseded, entry.digest) if entry else ()
         tested = state.tests.digest(item, state.tests.to_run(item))
-        own = {"inputs": state.inputs.digest(*item.key), "tested": tested, "digest": digest}
-        book.write(replace(other, architecture=OTHER, superseded=before, **own), state.inputs.of(*item.key))  # type: ignore[arg-type]
+        digests = {"inputs": state.inputs.digest(*item.key), "tested": tested, "digest": digest}
+        book.write(replace(other, architecture=OTHER, superseded=before, **digests), state.inputs.of(*item.key))  # type: ignore[arg-type]
         return digest
 
     def mark(self, ros: str = "1", part: str = "1") -> None:
@@ -212,13 +215,13 @@ class Mini:
     def tags(self) -> dict[str, str]:
         """Every tag of every image and part, and where it points."""
         client = self.client()
-        found = {}
-        for repository in ("ros", "ros-tf", "part"):
-            path = f"{self.prefix}/{repository}"
-            for tag in client.tags(path):
-                if not tag.startswith("sha256-"):
-                    found[f"{repository}:{tag}"] = client.head(path, tag)
-        return found
+        paths = {repository: f"{self.prefix}/{repository}" for repository in ("ros", "ros-tf", "part")}
+        return {
+            f"{repository}:{tag}": client.head(path, tag)
+            for repository, path in paths.items()
+            for tag in client.tags(path)
+            if not tag.startswith("sha256-")
+        }
 
     def check(self) -> None:
         """What must hold at any time: a tag points at a whole index of images that passed their tests."""
@@ -261,28 +264,28 @@ OCI = {
 of git, and no image has it. Expressions for the whole of each."""
 
 
-def require_oci_set(said: Mapping[str, str], tag: str) -> None:
+def require_oci_set(labels: Mapping[str, str], tag: str) -> None:
     """That labels, or annotations, hold the whole set that the OCI names."""
     prefix = "org.opencontainers.image."
-    found = {name.removeprefix(prefix): text for name, text in said.items() if name.startswith(prefix)}
-    found.pop("revision", "")
-    assert found.keys() == OCI.keys(), f"{tag}: {sorted(found)}"
+    texts = {name.removeprefix(prefix): text for name, text in labels.items() if name.startswith(prefix)}
+    texts.pop("revision", "")
+    assert texts.keys() == OCI.keys(), f"{tag}: {sorted(texts)}"
     for name, pattern in OCI.items():
-        assert re.fullmatch(pattern, found[name]), f"{tag}: {name} is {found[name]!r}"
+        assert re.fullmatch(pattern, texts[name]), f"{tag}: {name} is {texts[name]!r}"
 
 
-def begun(said: str) -> set[tuple[str, str]]:
-    """The work that a run began, by what it said: step and target."""
-    return {(step, target) for step, target in re.findall(r"^==> (build|join|test) (\S+) for ", said, re.M)}
+def begun(log: str) -> set[tuple[str, str]]:
+    """The work that a run began: step and target."""
+    return {(step, target) for step, target in re.findall(r"^==> (build|join|test) (\S+) for ", log, re.M)}
 
 
 USED = ("components/part/install-assembler.sh", "components/build/network.sh", "tools/requirements.txt")
 """What the recipe of the base image uses."""
 
 
-def base(services: Services, image_set: ImageSet) -> tuple[str, str]:
+def base(services: Services) -> tuple[str, str]:
     """Name and digest of the base image of small projects; made where the registry has none of today's recipe."""
-    recipe = BASE.format(os=base_images.reference(services, image_set.matrix.operating_systems, "bookworm"))
+    recipe = BASE.format(os=system(services, "bookworm"))
     content = recipe.encode() + b"".join((ROOT / name).read_bytes() for name in USED)
     repository = f"rosml-test/{hashlib.sha256(content).hexdigest()[:12]}/debian"
     client = Registry(services.registry)
@@ -300,41 +303,45 @@ def build_base(services: Services, recipe: str, name: str, *options: str) -> Non
             target.parent.mkdir(parents=True, exist_ok=True)
             shutil.copy(ROOT / used, target)
         (Path(folder) / "Dockerfile").write_text(recipe)
-        command = [*services.buildx, "build", "--progress", "plain", "--provenance=false", *options]
-        command += ["--output", f"type=image,push=true,name={name}", *ca_secret(services)]
-        outcome = run(*command, folder, env=services.environment())
-    assert outcome.code == 0, outcome.err
+        output = f"type=image,push=true,name={name}"
+        buildx(services, "--provenance=false", *options, "--output", output, folder)
 
 
-def for_both(folder: Path, services: Services, image_set: ImageSet) -> None:
+def for_both(folder: Path, services: Services) -> None:
     """Gives the base image that a small project's matrix names a variant for the other architecture, under emulation."""
     matrix = yaml.safe_load((folder / "matrix.yaml").read_text())
-    system = matrix["operating_systems"]["bookworm"]
-    repository = system["image"].removesuffix(":bookworm")
-    [other] = {"amd64", "arm64"} - {base_images.native_architecture()}
-    parent = base_images.reference(services, image_set.matrix.operating_systems, "bookworm", other)
-    build_base(services, BASE.format(os=parent), f"{repository}:{other}", "--platform", f"linux/{other}")
-    digests = [system["digest"], regctl.digest(services, f"{repository}:{other}")]
-    system["digest"] = regctl.create_index(services, repository, digests, {})
+    bookworm = matrix["operating_systems"]["bookworm"]
+    repository = bookworm["image"].removesuffix(":bookworm")
+    recipe = BASE.format(os=system(services, "bookworm", OTHER))
+    build_base(services, recipe, f"{repository}:{OTHER}", "--platform", f"linux/{OTHER}")
+    digests = [bookworm["digest"], regctl.digest(services, f"{repository}:{OTHER}")]
+    bookworm["digest"] = regctl.create_index(services, repository, digests, {})
     (folder / "matrix.yaml").write_text(yaml.safe_dump(matrix, sort_keys=False))
 
 
-def make(folder: Path, services: Services) -> Mini:
-    """A small checkout in a folder, with a place of its own in the registry."""
+def copy_checkout(folder: Path, *states: str) -> None:
+    """Copies what a build needs into a folder. The state is this checkout's: base images, passwords, programs, and `states`."""
     for name in CHECKOUT:
         if (ROOT / name).is_dir():
             shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__"))
         else:
             shutil.copy(ROOT / name, folder / name)
-    shutil.copytree(ROOT / "tests" / "structure", folder / "tests" / "structure")
+    (folder / ".state").mkdir()
+    for name in ("registry", "base", "auth", "bin", *states):
+        if (ROOT / ".state" / name).exists():
+            (folder / ".state" / name).symlink_to(ROOT / ".state" / name)
+
+
+def make(folder: Path, services: Services) -> Mini:
+    """A small checkout in a folder, with a place of its own in the registry."""
+    (ROOT / ".state" / "base").mkdir(exist_ok=True)  # base images are made once, by whoever is the first
+    copy_checkout(folder)
     for file in (folder / "tests/structure").glob("*.yaml"):
         file.write_text(TEST.format(path="/etc/os-release"))
     matrix = yaml.safe_load((ROOT / "matrix.yaml").read_text())
-    matrix["distributions"] = {
-        "ros1-bookworm": matrix["distributions"]["ros1-bookworm"] | {"components": ["core", "base"]}
-    }
-    matrix["distributions"]["ros1-bookworm"]["default_stack"] = "cpu"
-    image, digest = base(services, load.load(ROOT / "matrix.yaml"))
+    changes = {"components": ["core", "base"], "default_stack": "cpu"}
+    matrix["distributions"] = {"ros1-bookworm": matrix["distributions"]["ros1-bookworm"] | changes}
+    image, digest = base(services)
     matrix["operating_systems"] = {
         "bookworm": matrix["operating_systems"]["bookworm"] | {"image": image, "digest": digest}
     }
@@ -344,22 +351,17 @@ def make(folder: Path, services: Services) -> Mini:
     release = matrix["stacks"]["cpu"]["releases"]["tensorflow"]
     package = matrix["stacks"]["cpu"]["packages"]["tensorflow"]
     matrix.pop("addons")
-    alone: dict[str, Any] = {"releases": {"tensorflow": release}, "packages": {"tensorflow": package}}
-    matrix["stacks"] = {"cpu": matrix["stacks"]["cpu"] | alone}
+    matrix["stacks"] = {"cpu": matrix["stacks"]["cpu"] | {"releases": {"tensorflow": release}}}
+    matrix["stacks"]["cpu"]["packages"] = {"tensorflow": package}
     matrix["releases"] = {"tensorflow": {release: matrix["releases"]["tensorflow"][release]}}
     parts = {name: size for name, size in matrix["disk"]["parts"]["cpu"].items() if name in chosen}
     matrix["disk"] |= {"parts": {"cpu": parts}, "budgets": {}}
     matrix["source"] = SOURCE
     matrix["default"] = {"targets": ["ros1-bookworm-core"], "group": ["ros1-bookworm-core"], "assembler": "bookworm"}
     (folder / "matrix.yaml").write_text(yaml.safe_dump(matrix, sort_keys=False))
-    (folder / ".state").mkdir()
-    (ROOT / ".state" / "base").mkdir(exist_ok=True)  # base images are made once, by whoever is the first
-    for name in ("registry", "base", "auth", "bin"):
-        if (ROOT / ".state" / name).exists():
-            (folder / ".state" / name).symlink_to(ROOT / ".state" / name)
-    facts = json.loads((ROOT / ".state" / "services.json").read_text())
-    own = {"builder": services.builder, "builder_kind": services.builder_kind, "bases": []}
-    (folder / ".state" / "services.json").write_text(json.dumps(facts | own))
+    facts = (ROOT / ".state/services.json").read_text()
+    (folder / ".state/services.json").write_text(facts)
+    use(folder, builder=services.builder, builder_kind=services.builder_kind, bases=[])
     for name, text in {
         "base/install": NOTHING,
         "part/install-assembler": NOTHING,
@@ -367,6 +369,15 @@ def make(folder: Path, services: Services) -> Mini:
         "tensorflow/install-assembler": NOTHING,
     }.items():
         (folder / f"components/{name}.sh").write_text(text)
-    found = Mini(folder, services, "").elsewhere()
-    found.mark()
-    return found
+    mini = Mini(folder, services, "").elsewhere()
+    mini.mark()
+    return mini
+
+
+def use(folder: Path, **changes: object) -> Services:
+    """Has a checkout use other services."""
+    file = folder / ".state/services.json"
+    facts = json.loads(file.read_text()) | changes
+    file.unlink()  # it may be a link
+    file.write_text(json.dumps(facts))
+    return Services.load(folder)

@@ -20,7 +20,7 @@ from pathlib import Path
 
 from rosml import ROOT
 from tests.e2e import engine
-from tests.e2e.conftest import Run
+from tests.e2e.calls import Run
 
 UID = 12345
 SIZE = (33, 101)

@@ -30,6 +30,7 @@ import trustme
 from rosml import ROOT
 from rosml.machine.services import Services
 from rosml.machine.setup import network
+from tests.e2e.calls import succeeds
 
 NAME, PASSWORD = "robot+ci", "p4ss:wörd/with=odd&letters"
 ISSUER, SERVICE = "a test", "a registry"
@@ -84,24 +85,16 @@ class Secure:
 def cosign() -> str:
     """Path of the real program; the test fails where there is none."""
     try:
-        found: str = json.loads((ROOT / ".state/signer.json").read_text())["cosign"]
+        program: str = json.loads((ROOT / ".state/signer.json").read_text())["cosign"]
     except OSError:
         pytest.fail("cosign is not installed: rosml setup signer", pytrace=False)
-    return found
+    return program
 
 
 def signing_key(prefix: Path) -> dict[str, str]:
     """Makes a pair of keys with cosign; the environment of a run that signs with it."""
     environment = {"COSIGN_KEY": f"{prefix}.key", "COSIGN_PASSWORD": "only for this test"}
-    made = subprocess.run(
-        [cosign(), "generate-key-pair", "--output-key-prefix", str(prefix)],
-        env={**os.environ, **environment},
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert made.returncode == 0, made.stderr
+    succeeds(cosign(), "generate-key-pair", "--output-key-prefix", str(prefix), env=environment)
     return environment
 
 
@@ -122,17 +115,17 @@ def registry(folder: Path, expired: bool = False, users: Mapping[str, str] | Non
     leaf.private_key_pem.write_to_path(str(folder / "key.pem"))
     (folder / "chain.pem").write_bytes(b"".join(pem.bytes() for pem in leaf.cert_chain_pems))
     authority.cert_pem.write_to_path(str(folder / "authority.pem"))
-    found = Secure(f"{address}:{network.free_port()}", authority, folder / "storage", folder / "log")
+    secured = Secure(f"{address}:{network.free_port()}", authority, folder / "storage", folder / "log")
     if users is None:
         hashed = bcrypt.hashpw(PASSWORD.encode(), bcrypt.gensalt(4)).decode()
         (folder / "htpasswd").write_text(f"{NAME}:{hashed}\n")
-        with running(folder, found, {"htpasswd": {"realm": "a test", "path": str(folder / "htpasswd")}}):
-            yield found
+        with running(folder, secured, {"htpasswd": {"realm": "a test", "path": str(folder / "htpasswd")}}):
+            yield secured
         return
-    with tokens(folder, found, leaf, users) as realm:
+    with tokens(folder, secured, leaf, users) as realm:
         token = {"realm": realm, "service": SERVICE, "issuer": ISSUER, "rootcertbundle": str(folder / "authority.pem")}
-        with running(folder, found, {"token": token}):
-            yield found
+        with running(folder, secured, {"token": token}):
+            yield secured
 
 
 @contextmanager
@@ -153,17 +146,17 @@ def used(folder: Path, tokens: bool, monkeypatch: pytest.MonkeyPatch) -> Iterato
     root = folder / "checkout"
     (root / ".state").mkdir(parents=True)
     services = Services(root, "", (), "", "", None, "", "", ())
-    with registry(folder / "registry", users={NAME: "pull,push"} if tokens else None) as found:
-        found.docker_config(docker, {"auths": {found.host: {"auth": encoded(NAME, PASSWORD)}}})
-        yield found, services, docker
+    with registry(folder / "registry", users={NAME: "pull,push"} if tokens else None) as secured:
+        secured.docker_config(docker, {"auths": {secured.host: {"auth": encoded(NAME, PASSWORD)}}})
+        yield secured, services, docker
 
 
 @contextmanager
-def running(folder: Path, found: Secure, auth: Mapping[str, object]) -> Iterator[None]:
+def running(folder: Path, secured: Secure, auth: Mapping[str, object]) -> Iterator[None]:
     """Runs the registry's program with TLS and users."""
     tls = {"certificate": str(folder / "chain.pem"), "key": str(folder / "key.pem")}
-    config = {"http": {"addr": found.host, "tls": tls}, "auth": auth}
-    with serving(folder, found.storage, config):
+    config = {"http": {"addr": secured.host, "tls": tls}, "auth": auth}
+    with serving(folder, secured.storage, config):
         yield
 
 
@@ -177,23 +170,25 @@ def plain(folder: Path, deletes: bool) -> Iterator[str]:
 
 
 @contextmanager
-def serving(folder: Path, storage: Path, own: Mapping[str, Any], deletes: bool = True) -> Iterator[None]:
+def serving(folder: Path, storage: Path, settings: Mapping[str, Any], deletes: bool = True) -> Iterator[None]:
     """Runs the registry's program.
 
     Args:
         folder: for its configuration and log. storage: for what it holds.
-        own: the rest of its configuration; `http.addr` in it is where it listens.
+        settings: the rest of its configuration; `http.addr` in it is where it listens.
         deletes: whether it deletes.
     """
     kept = {"filesystem": {"rootdirectory": str(storage)}, "delete": {"enabled": deletes}}
-    (folder / "config.json").write_text(json.dumps({"version": 0.1, "log": {"level": "info"}, "storage": kept, **own}))
+    (folder / "config.json").write_text(
+        json.dumps({"version": 0.1, "log": {"level": "info"}, "storage": kept, **settings})
+    )
     env = {name: value for name, value in os.environ.items() if not name.startswith(("REGISTRY_", "OTEL_"))}
     env["OTEL_TRACES_EXPORTER"] = "none"
     command = [str(ROOT / ".state/bin/registry"), "serve", str(folder / "config.json")]
     with (folder / "log").open("wb") as log:
         process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=env)
     try:
-        host, _, port = own["http"]["addr"].rpartition(":")
+        host, _, port = settings["http"]["addr"].rpartition(":")
         deadline = time.monotonic() + 20
         while True:
             assert process.poll() is None and time.monotonic() < deadline, (folder / "log").read_text()[-2000:]
@@ -208,7 +203,7 @@ def serving(folder: Path, storage: Path, own: Mapping[str, Any], deletes: bool =
 
 
 @contextmanager
-def tokens(folder: Path, found: Secure, leaf: trustme.LeafCert, users: Mapping[str, str]) -> Iterator[str]:
+def tokens(folder: Path, secured: Secure, leaf: trustme.LeafCert, users: Mapping[str, str]) -> Iterator[str]:
     """A server that issues tokens, signed by the registry's authority; gives its address."""
     key = leaf.private_key_pem.bytes().decode()
     chain = [base64.b64encode(ssl.PEM_cert_to_DER_cert(pem.bytes().decode())).decode() for pem in leaf.cert_chain_pems]
@@ -220,12 +215,12 @@ def tokens(folder: Path, found: Secure, leaf: trustme.LeafCert, users: Mapping[s
             if header and not name:
                 self.answer(401, {"details": "unknown user or wrong password"})
                 return
-            asked = " ".join(parse_qs(urlsplit(self.path).query).get("scope", [])).split()
-            found.scopes.extend(asked)
+            scopes = " ".join(parse_qs(urlsplit(self.path).query).get("scope", [])).split()
+            secured.scopes.extend(scopes)
             access = []
-            for scope in asked:
-                kind, repository, wanted = re.fullmatch(r"(\w+):(.+):([^:]*)", scope).groups()  # type: ignore[union-attr]
-                allowed = [action for action in wanted.split(",") if action in users.get(name, "").split(",")]
+            for scope in scopes:
+                kind, repository, actions = re.fullmatch(r"(\w+):(.+):([^:]*)", scope).groups()  # type: ignore[union-attr]
+                allowed = [action for action in actions.split(",") if action in users.get(name, "").split(",")]
                 access.append({"type": kind, "name": repository, "actions": allowed})
             now = int(time.time())
             claims = {"iss": ISSUER, "sub": name, "aud": SERVICE, "exp": now + 300, "nbf": now - 10, "iat": now}
@@ -247,7 +242,7 @@ def tokens(folder: Path, found: Secure, leaf: trustme.LeafCert, users: Mapping[s
         def log_message(self, format: str, *args: object) -> None:
             pass
 
-    address = found.host.rpartition(":")[0]
+    address = secured.host.rpartition(":")[0]
     context = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
     context.load_cert_chain(folder / "chain.pem", folder / "key.pem")
     with ThreadingHTTPServer((address, 0), Handler) as server:

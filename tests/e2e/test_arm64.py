@@ -10,7 +10,7 @@ import json
 import pytest
 
 from rosml.images.builds import base_images
-from tests.e2e.conftest import publish
+from tests.e2e.calls import publish
 
 OTHER = "amd64" if base_images.native_architecture() == "arm64" else "arm64"
 

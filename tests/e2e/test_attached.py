@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -23,52 +22,36 @@ from rosml.machine.services import Services
 from rosml.registry.client import Registry
 from rosml.registry.place import Place
 from tests import regctl
-from tests.e2e import mini as minis
 from tests.e2e import secure
-from tests.e2e.conftest import LOG, run
-from tests.e2e.mini import NATIVE, Mini
+from tests.e2e.calls import LOG
+from tests.e2e.images import NATIVE
+from tests.e2e.mini import Mini
 
 ONLY = ("--only", "ros1-bookworm-core-tensorflow-cpu")
 
 
-@pytest.fixture(scope="module")
-def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
-    return minis.make(tmp_path_factory.mktemp("mini"), beside)
-
-
-@pytest.fixture
-def mini(project: Mini) -> Iterator[Mini]:
-    """The small project with an empty place in the registry."""
-    yield project.elsewhere()
-
-
 def entries(mini: Mini) -> dict[tuple[str, str], store.Entry]:
     book = Records(mini.place())
-    names = [name.rpartition(".")[::2] for name in book.registry.tags(book.repository) if not name.startswith("undo.")]
-    found = {(target, architecture): book.read(target, architecture) for target, architecture in names}
-    return {key: entry for key, entry in found.items() if entry}
+    names = [
+        (name.rpartition(".")[0], name.rpartition(".")[2])
+        for name in book.registry.tags(book.repository)
+        if not name.startswith("undo.")
+    ]
+    return {key: entry for key in names if (entry := book.read(*key))}
 
 
 def test_entries_and_provenance(mini: Mini) -> None:
     """A second run sends nothing; one whose records were lost carries on; another place has the same manifests."""
     mini.all(*ONLY)
-    client, known = mini.client(), entries(mini)
+    client, published = mini.client(), entries(mini)
     sizes = []
-    for (target, architecture), entry in known.items():
+    for (target, architecture), entry in published.items():
         path = f"{mini.prefix}/{entry.repository}"
         if architecture != INDEX:
             assert Records(Place(client, mini.prefix)).attached(entry.repository, entry.digest) == entry
-        listed = run(
-            *(
-                regctl.program(mini.services),
-                "--host",
-                f"reg={mini.services.registry},tls=disabled",
-                "artifact",
-                "list",
-            ),
-            *("--format", "{{json .}}", f"{mini.services.registry}/{path}@{entry.digest}"),
-        )
-        kinds = [item["artifactType"] for item in json.loads(listed.out)["descriptors"]]
+        reference = f"{mini.services.registry}/{path}@{entry.digest}"
+        listed = regctl.regctl(mini.services, "artifact", "list", "--format", "{{json .}}", reference)
+        kinds = [item["artifactType"] for item in json.loads(listed)["descriptors"]]
         for kind in (store.ARTIFACT, provenance.MEDIA_TYPE):
             assert kinds.count(kind) == (architecture != INDEX), f"{target}: {kinds}"
         for item in client.referrers(path, entry.digest):
@@ -77,8 +60,8 @@ def test_entries_and_provenance(mini: Mini) -> None:
             if item["artifactType"] in (store.ARTIFACT, provenance.MEDIA_TYPE):
                 sizes.append((item["artifactType"], content.size + content.content["layers"][0]["size"]))
     for kind in (store.ARTIFACT, provenance.MEDIA_TYPE):
-        own = [size for name, size in sizes if name == kind]
-        LOG.info("%s: %d, of %d bytes on average", kind, len(own), sum(own) / len(own))
+        amounts = [size for name, size in sizes if name == kind]
+        LOG.info("%s: %d, of %d bytes on average", kind, len(amounts), sum(amounts) / len(amounts))
 
     with Registry(mini.services.registry) as counting:
         services, place = Services.load(mini.folder), Place(counting, mini.prefix)
@@ -91,7 +74,7 @@ def test_entries_and_provenance(mini: Mini) -> None:
 
     other = mini.elsewhere()
     other.all(*ONLY, "--force")
-    images = {key: entry.digest for key, entry in known.items() if key[1] != INDEX}
+    images = {key: entry.digest for key, entry in published.items() if key[1] != INDEX}
     assert {key: entry.digest for key, entry in entries(other).items() if key[1] != INDEX} == images
 
 
@@ -111,8 +94,8 @@ def test_signatures(mini: Mini, cosign: dict[str, str]) -> None:
     done = mini.all(*ONLY, "--sign", env=cosign)
     signed = [item["target"] for item in done["outcomes"] if item["step"] == "sign"]
     signer = Signer.find(mini.folder, {**os.environ, **cosign})
-    client, known = mini.client(), entries(mini)
-    indexes = {target: entry for (target, architecture), entry in known.items() if architecture == INDEX}
+    client, published = mini.client(), entries(mini)
+    indexes = {target: entry for (target, architecture), entry in published.items() if architecture == INDEX}
     assert sorted(signed) == sorted(indexes)
     for entry in indexes.values():
         reference = f"{mini.services.registry}/{mini.prefix}/{entry.repository}@{entry.digest}"
@@ -123,8 +106,8 @@ def test_signatures(mini: Mini, cosign: dict[str, str]) -> None:
         assert sum("sigstore" in kind for kind in kinds) == 1, kinds
     assert mini.all(*ONLY, "--sign", env=cosign)["outcomes"] == []
 
-    image = known["ros1-bookworm-core", NATIVE]
+    image = published["ros1-bookworm-core", NATIVE]
     with pytest.raises(SignerFailed, match="has no signature"):
         signer.verify(f"{mini.services.registry}/{mini.prefix}/ros@{image.digest}")
-    pruned = json.loads(mini.publish("prune", "--days", "0", "--newest", "0", "--json").out)
+    pruned = mini.says("prune", "--days", "0", "--newest", "0")
     assert pruned["manifests"] == [], "signatures of kept indexes stay"

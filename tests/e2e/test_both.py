@@ -13,9 +13,8 @@ from rosml.images.builds import structure_tests
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix import names
 from rosml.machine.services import Services
-from tests import regctl
-from tests.e2e.conftest import NAMESPACE
-from tests.e2e.images import Publish, build, build_on, push
+from tests.e2e.calls import NAMESPACE
+from tests.e2e.images import BuildOn, Publish, build, layers, push
 
 pytestmark = pytest.mark.full(proof="cuda")
 
@@ -29,8 +28,7 @@ TALK_SECONDS = 600
 def test_both_frameworks_share_their_layers_and_import_in_either_order(published: Publish) -> None:
     both = published(BOTH)
     torch = published(names.image_target(both.image.distribution, "core", "torch", both.image.stack))
-    own, shared = len(both.image.parts), len(torch.image.parts)
-    assert both.layers[-own:][:shared] == torch.layers[-shared:]
+    assert both.part_layers[: len(torch.image.parts)] == torch.part_layers
     report = structure_tests.read_report(ROOT / ".state" / "tests" / both.image.target / "report", ("ros1-beside",))
     assert {outcome.name for outcome in report.outcomes if outcome.passed} >= {
         "one process with ROS, numpy, the frameworks, and OpenCV with cv_bridge if the image has them, whichever is imported first",
@@ -41,41 +39,35 @@ def test_images_with_less_have_the_same_layers(services: Services, published: Pu
     """Of CUDA alone and of TensorFlow alone, as in the image with both frameworks: built here and not tested, as all that
     they hold was."""
     both = published(BOTH)
-    parts = dict(zip(both.image.parts, both.layers[-len(both.image.parts) :], strict=True))
+    parts = dict(zip(both.image.parts, both.part_layers, strict=True))
     prefix = f"{services.registry}/{NAMESPACE}-layers"
     for framework in ("cuda", "tensorflow"):
         target = names.image_target(both.image.distribution, both.image.component, framework, both.image.stack)
         image = image_set.image(target)
         push(services, both, target, prefix)
-        layers = [layer.digest for layer in regctl.layers(services, f"{prefix}/{image.tags[0]}")]
-        assert layers == [*both.layers[: -len(parts)], *(parts[name] for name in image.parts)], target
+        expected = [*both.layers[: -len(parts)], *(parts[name] for name in image.parts)]
+        assert layers(services, f"{prefix}/{image.tags[0]}") == expected, target
 
 
-def test_ros_and_both_frameworks_in_one_c_plus_plus_program(
-    services: Services, published: Publish, tmp_path: Path
-) -> None:
+def test_ros_and_both_frameworks_in_one_c_plus_plus_program(build_on: BuildOn) -> None:
     """A catkin package with roscpp, cv_bridge, libtorch (TorchScript) and tensorflow_cc (SavedModel)."""
-    said = build_on(services, published(BOTH), tmp_path, ["/entrypoint.sh /coexist/run.sh"], "coexist")
-    assert "pictures: seen, wrong: 0" in said
+    output = build_on(BOTH, ["/entrypoint.sh /coexist/run.sh"], "coexist")
+    assert "pictures: seen, wrong: 0" in output
 
 
-def test_the_usual_examples_of_both_frameworks_in_c_plus_plus(
-    services: Services, published: Publish, tmp_path: Path
-) -> None:
+def test_the_usual_examples_of_both_frameworks_in_c_plus_plus(build_on: BuildOn) -> None:
     """MNIST with libtorch's C++ frontend; gradient descent and label_image with TensorFlow's ClientSession."""
     steps = [f"/examples/{framework}/run.sh" for framework in ("torch", "tensorflow")]
-    said = build_on(services, published(BOTH), tmp_path, steps, "examples")
+    output = build_on(BOTH, steps, "examples")
     for words in ("mnist: accuracy", "train: loss", "label_image: green"):
-        assert words in said
+        assert words in output
 
 
-def test_tensorflow_and_the_systems_protobuf_in_one_program(
-    services: Services, published: Publish, tmp_path: Path
-) -> None:
+def test_tensorflow_and_the_systems_protobuf_in_one_program(build_on: BuildOn) -> None:
     """Each target sees the protobuf, abseil and Eigen that it links; no image has the system's, but for Eigen."""
     steps = ["install-packages libprotobuf-dev protobuf-compiler libabsl-dev", "/headers/run.sh"]
-    said = build_on(services, published(BOTH), tmp_path, steps, "headers")
-    assert "both: done" in said
+    output = build_on(BOTH, steps, "headers")
+    assert "both: done" in output
 
 
 def test_ros_2_from_wheels_and_both_frameworks_in_one_process(
@@ -98,5 +90,5 @@ def test_ros_2_from_wheels_and_both_frameworks_in_one_process(
             RUN --network=none timeout {TALK_SECONDS} /entrypoint.sh /rclpy_wheels/run.sh /ros2/bin/python
         """)
     )
-    said = build(services, tmp_path, "--no-cache-filter", "talk")
-    assert said.count("20 answers, wrong: 0; exit codes 0 and 0") == 6, said
+    output = build(services, tmp_path, "--no-cache-filter", "talk")
+    assert output.count("20 answers, wrong: 0; exit codes 0 and 0") == 6, output

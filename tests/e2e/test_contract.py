@@ -13,7 +13,7 @@ import pytest
 
 from rosml.machine.services import Services
 from tests.e2e import engine
-from tests.e2e.conftest import Run
+from tests.e2e.calls import Run
 from tests.e2e.images import Publish
 from tests.e2e.person import Person, enters, somebody, starts
 

@@ -31,10 +31,10 @@ def layer(name: str) -> bytes:
     """A layer with one file. Those of `m` and `n` are nearly the same."""
     data = Random(0).randbytes(400_000) + name.encode() if name in "mn" else name.encode() * 100_000
     out = io.BytesIO()
-    with tarfile.open(fileobj=out, mode="w") as found:
+    with tarfile.open(fileobj=out, mode="w") as archive:
         entry = tarfile.TarInfo("file" if name in "mn" else name)
         entry.size = len(data)
-        found.addfile(entry, io.BytesIO(data))
+        archive.addfile(entry, io.BytesIO(data))
     return out.getvalue()
 
 
@@ -55,15 +55,15 @@ def push(services: Services) -> None:
 
 
 @contextlib.contextmanager
-def robot(services: Services, folder: Path) -> Iterator[Robot]:
+def with_images(services: Services, folder: Path) -> Iterator[Robot]:
     """A robot with the real Docker, and images in the local registry."""
     push(services)
     with engine.running() as docker:
-        found = Robot(docker, f"{services.registry}/{REPOSITORY}", folder)
+        robot = Robot(docker, f"{services.registry}/{REPOSITORY}", folder)
         try:
-            yield found
+            yield robot
         finally:
-            docker.docker("rmi", *(found.name(tag) for tag in IMAGES))
+            docker.docker("rmi", *(robot.name(tag) for tag in IMAGES))
 
 
 @dataclass
@@ -88,44 +88,44 @@ class Robot:
 
     def saved(self, tag: str, *have: str) -> str:
         """A file for the robot."""
-        given = [word for other in have for word in ("--have", self.name(other))]
+        options = [word for other in have for word in ("--have", self.name(other))]
         file = str(self.folder / tag)
-        done = self.rosml("save", self.name(tag), *given, "--platform", "linux/amd64", "-o", file)
+        done = self.rosml("save", self.name(tag), *options, "--platform", "linux/amd64", "-o", file)
         assert done.returncode == 0, done.stderr
         return file
 
     def require(self, tag: str) -> None:
         """Checks that Docker has the layers of an image."""
-        told = self.docker.docker("image", "inspect", "--format", "{{.RootFS.Layers}}", self.name(tag))
-        assert told.out.split() == f"[{' '.join(oci.digest_of(layer(name)) for name in IMAGES[tag])}]".split()
+        inspected = self.docker.docker("image", "inspect", "--format", "{{.RootFS.Layers}}", self.name(tag))
+        assert inspected.out.split() == f"[{' '.join(oci.digest_of(layer(name)) for name in IMAGES[tag])}]".split()
 
 
 @pytest.mark.skipif(bool(engine.missing()), reason=engine.missing())
 def test_a_layer_arrives_as_what_differs(services: Services, tmp_path: Path) -> None:
-    with robot(services, tmp_path) as found:
-        assert found.docker.docker("load", "--input", found.saved("monday")).code == 0
-        file = found.saved("tuesday", "monday")
+    with with_images(services, tmp_path) as robot:
+        assert robot.docker.docker("load", "--input", robot.saved("monday")).code == 0
+        file = robot.saved("tuesday", "monday")
         assert os.path.getsize(file) < 20_000
-        done = found.rosml("load", file)
+        done = robot.rosml("load", file)
         assert done.returncode == 0, done.stderr
         assert "differences of 1 layer" in done.stdout
-        found.require("tuesday")
+        robot.require("tuesday")
 
 
 @pytest.mark.skipif(bool(engine.missing()), reason=engine.missing())
 def test_an_app_on_tonights_base_arrives_without_what_is_there(services: Services, tmp_path: Path) -> None:
-    with robot(services, tmp_path) as found:
-        docker = found.docker
-        assert docker.docker("load", "--input", found.saved("app")).code == 0  # a whole archive needs no rosml
-        done = found.rosml("load", found.saved("night", "app"))
+    with with_images(services, tmp_path) as robot:
+        docker = robot.docker
+        assert docker.docker("load", "--input", robot.saved("app")).code == 0  # a whole archive needs no rosml
+        done = robot.rosml("load", robot.saved("night", "app"))
         assert done.returncode == 0, done.stderr
         assert "docker save" not in done.stderr  # Docker finds the lowest layer by itself
-        docker.docker("rmi", found.name("night"))
-        done = found.rosml("load", found.saved("moved", "app"))
+        docker.docker("rmi", robot.name("night"))
+        done = robot.rosml("load", robot.saved("moved", "app"))
         assert done.returncode == 0, done.stderr
         assert "1 layer from docker save" in done.stderr  # the app's own, which stood on other layers
-        found.require("moved")
-        docker.docker("rmi", found.name("app"), found.name("moved"))
-        done = found.rosml("load", str(tmp_path / "moved"))
+        robot.require("moved")
+        docker.docker("rmi", robot.name("app"), robot.name("moved"))
+        done = robot.rosml("load", str(tmp_path / "moved"))
         assert done.returncode == 2
-        assert f"needs 2 layers of {found.name('app')}@sha256:" in done.stderr
+        assert f"needs 2 layers of {robot.name('app')}@sha256:" in done.stderr

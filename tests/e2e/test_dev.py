@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import re
 import shutil
@@ -11,8 +10,9 @@ from pathlib import Path
 
 from rosml import ROOT
 from tests.e2e import engine
-from tests.e2e.conftest import run
+from tests.e2e.calls import run
 from tests.e2e.images import Publish
+from tests.e2e.mini import use
 
 DEBUG = """\
 colcon build --cmake-args -DCMAKE_BUILD_TYPE=Debug && colcon test
@@ -25,10 +25,7 @@ def test_a_package_is_worked_on(published: Publish, checkout: Path, tmp_path: Pa
     folder = tmp_path / "my robot"
     shutil.copytree(ROOT / "examples/ros1", folder)
     # A builder without Docker makes images for the registry, whose layers an older Docker cannot read.
-    file = checkout / ".state/services.json"
-    known = json.loads(file.read_text())
-    file.unlink()
-    file.write_text(json.dumps(known | {"builder_kind": "user"}))
+    use(checkout, builder_kind="user")
     with engine.running() as docker:
         env = {**os.environ, "XDG_STATE_HOME": str(tmp_path / "state"), "XDG_CONFIG_HOME": str(tmp_path / "config")}
         env |= {"DOCKER_HOST": docker.host} if docker.host else {}
@@ -38,20 +35,22 @@ def test_a_package_is_worked_on(published: Publish, checkout: Path, tmp_path: Pa
             done = run(sys.executable, str(checkout / "src"), "dev", *base, str(folder), "--", *command, env=env)
             return done.code, done.out + done.err
 
-        code, said = dev("colcon", "build")
-        assert code == 0 and "1 package finished" in said, said
+        code, output = dev("colcon", "build")
+        assert code == 0 and "1 package finished" in output, output
         kept = folder / ".rosml/dev"
         assert re.search(r"src/compass\.cpp", (kept / "compile_commands.json").read_text())
         assert str(folder / "src/compass/src/compass.cpp") in (kept / "host/compile_commands.json").read_text()
         shutil.rmtree(kept / "build")
-        code, said = dev("sh", "-c", "ccache --zero-stats >/dev/null && colcon build && ccache --show-stats")
-        assert code == 0 and "base image" not in said, "the image is made once"
-        assert re.search(r"Hits: +[1-9]", said), said
+        code, output = dev("sh", "-c", "ccache --zero-stats >/dev/null && colcon build && ccache --show-stats")
+        assert code == 0 and "base image" not in output, "the image is made once"
+        assert re.search(r"Hits: +[1-9]", output), output
 
-        code, said = dev("bash", "-ec", DEBUG)
-        assert code == 0 and "debugpy 1" in said, said
-        assert re.search(r"TestBody .* at /docker-ros/ws/src/target/src/compass/test/test_compass\.cpp:\d+", said), said
+        code, output = dev("bash", "-ec", DEBUG)
+        assert code == 0 and "debugpy 1" in output, output
+        assert re.search(r"TestBody .* at /docker-ros/ws/src/target/src/compass/test/test_compass\.cpp:\d+", output), (
+            output
+        )
         test = folder / "src/compass/test/test_compass.cpp"
         test.write_text(test.read_text().replace('"east"', '"west"'))
-        code, said = dev("colcon", "test")
-        assert code == 1 and "1 package had test failures: compass" in said, said
+        code, output = dev("colcon", "test")
+        assert code == 1 and "1 package had test failures: compass" in output, output

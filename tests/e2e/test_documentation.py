@@ -16,8 +16,9 @@ import yaml
 from rosml import ROOT
 from rosml.machine.services import Services
 from tests import regctl
-from tests.e2e.conftest import NAMESPACE, Published, run
-from tests.e2e.images import Publish, build
+from tests.e2e.app_builds import write
+from tests.e2e.calls import NAMESPACE, succeeds
+from tests.e2e.images import Publish, Published, build_file
 from tests.pages import SHELLS, Block, blocks, commands
 
 TENSORFLOW = "ros1-bookworm-core-tensorflow-cpu"
@@ -26,33 +27,35 @@ NODES = ROOT / "docs/cpp/nodes.md"
 
 
 def section(page: Path, name: str) -> Iterator[Block]:
-    found = [block for block in blocks(page) if block.section == name]
-    assert found, f"{page.name} has no section {name!r} with code"
-    return iter(found)
+    matches = [block for block in blocks(page) if block.section == name]
+    assert matches, f"{page.name} has no section {name!r} with code"
+    return iter(matches)
+
+
+def require(pattern: str, output: str) -> None:
+    """Asserts that a step of a build printed a line."""
+    assert re.search(rf"^#\d+ [\d.]+ {pattern}", output, re.MULTILINE), f"{pattern!r} was not printed:\n{output}"
 
 
 def example(services: Services, image: Published, folder: Path, name: str) -> str:
     """Writes the files of a section, runs its commands in them, and looks for what it says they print."""
-    (folder / "files").mkdir()
     steps, printed = [], []
     for block in section(CPP, name):
         if block.title:
-            (folder / "files" / block.title).write_text(block.text)
+            write(folder / "files", {block.title: block.text})
         elif block.language in SHELLS:
             steps += list(commands(block))
         elif block.language == "text":
             printed += block.text.splitlines()
     assert steps and printed
     script = "\n".join(["#!/bin/bash", "set -euxo pipefail", "cd /example/files", *steps, ""])
-    (folder / "files/steps.sh").write_text(script)
-    (folder / "files/steps.sh").chmod(0o755)
+    write(folder, {"files/steps.sh": script})
     lines = [f"FROM {image.result['reference']}", "COPY files /example/files"]
     lines += ["RUN --network=none env -u LD_LIBRARY_PATH /example/files/steps.sh"]
-    (folder / "Dockerfile").write_text("\n".join(lines) + "\n")
-    said = build(services, folder)
+    output = build_file(services, folder, "\n".join(lines) + "\n")
     for line in printed:
-        assert re.search(rf"^#\d+ [\d.]+ {re.escape(line)}$", said, re.MULTILINE), f"{line!r} was not printed:\n{said}"
-    return said
+        require(f"{re.escape(line)}$", output)
+    return output
 
 
 DETECTOR = """\
@@ -76,21 +79,15 @@ project(detector)
 def node(services: Services, image: Published, folder: Path) -> None:
     """Builds the page's lines for catkin, in a project that has nothing else, and runs what comes of it."""
     snippet = next(block for block in section(NODES, "A ROS 1 node") if "catkin" in block.text)
-    (folder / "src").mkdir(parents=True)
-    (folder / "CMakeLists.txt").write_text(NODE + snippet.text)
-    (folder / "src/detector.cpp").write_text(DETECTOR)
+    write(folder, {"CMakeLists.txt": NODE + snippet.text, "src/detector.cpp": DETECTOR})
     steps = "/entrypoint.sh cmake -S /node -B /node/build && cmake --build /node/build && find /node/build -type f -perm -100 -name detector -exec {} \\;"
-    (folder / "Dockerfile").write_text(
-        f"FROM {image.result['reference']}\nCOPY . /node\nRUN --network=none env -u LD_LIBRARY_PATH bash -euc '{steps}'\n"
-    )
-    said = build(services, folder)
-    assert re.search(r"^#\d+ [\d.]+ cpu after 2 s$", said, re.MULTILINE), said
+    text = f"FROM {image.result['reference']}\nCOPY . /node\nRUN --network=none env -u LD_LIBRARY_PATH bash -euc '{steps}'\n"
+    require("cpu after 2 s$", build_file(services, folder, text))
 
 
 @pytest.mark.full(proof="cuda")
 def test_cplusplus_with_pytorch(services: Services, published: Publish, tmp_path: Path) -> None:
     image = published("ros1-bookworm-core-torch-cu128")
-    (tmp_path / "example").mkdir()
     example(services, image, tmp_path / "example", "PyTorch")
     node(services, image, tmp_path / "node")
 
@@ -98,8 +95,8 @@ def test_cplusplus_with_pytorch(services: Services, published: Publish, tmp_path
 def test_cplusplus_with_tensorflow(services: Services, published: Publish, tmp_path: Path) -> None:
     """By CMake and by hand."""
     image = published(TENSORFLOW)
-    said = example(services, image, tmp_path, "TensorFlow")
-    assert re.search(rf"^#\d+ [\d.]+ {re.escape(image.image.versions['tensorflow'])}$", said, re.MULTILINE)
+    output = example(services, image, tmp_path, "TensorFlow")
+    require(f"{re.escape(image.image.versions['tensorflow'])}$", output)
 
 
 PACKAGE = """\
@@ -132,25 +129,19 @@ def test_ci_of_a_package(services: Services, published: Publish, tmp_path: Path,
     [block] = [block for block in blocks(ROOT / "docs/use/ci.md") if block.title == name]
     job = yaml.safe_load(block.text)
     if "jobs" in job:
-        job = job["jobs"]
-        steps = [step["run"] for step in job["test"]["steps"] if "run" in step]
-        environment = job["test"]["env"]
+        steps = [step["run"] for step in job["jobs"]["test"]["steps"] if "run" in step]
+        environment = job["jobs"]["test"]["env"]
     else:
         steps, environment = job["test"]["script"], job["test"]["variables"]
     assert len(steps) == 3
-    source = tmp_path / "checkout"
-    source.mkdir()
-    (source / "package.xml").write_text(PACKAGE)
-    (source / "CMakeLists.txt").write_text(CMAKE)
-    (source / "test_example.py").write_text(TEST)
+    write(tmp_path / "checkout", {"package.xml": PACKAGE, "CMakeLists.txt": CMAKE, "test_example.py": TEST})
     exported = " ".join(f"{key}={shlex.quote(value)}" for key, value in environment.items())
     image = published("ros1-bookworm-core")
     lines = [f"FROM {image.result['reference']}", "COPY checkout /checkout", "WORKDIR /checkout"]
     lines += [f"RUN --network=none export {exported} && {step}" for step in steps]
-    (tmp_path / "Dockerfile").write_text("\n".join(lines) + "\n")
-    said = build(services, tmp_path)
-    assert "Finished <<< example" in said
-    assert re.search(r"Summary: [1-9]\d* tests?, 0 errors, 0 failures", said), said
+    output = build_file(services, tmp_path, "\n".join(lines) + "\n")
+    assert "Finished <<< example" in output
+    assert re.search(r"Summary: [1-9]\d* tests?, 0 errors, 0 failures", output), output
 
 
 USED = """\
@@ -179,27 +170,18 @@ def test_dockerfiles_of_users(services: Services, published: Publish, tmp_path: 
     page = ROOT / "docs/use/dev-container.md"
     [container] = [block.text for block in blocks(page) if block.title == ".devcontainer/Dockerfile"]
     for name, text in (("plain", plain), ("container", container)):
-        context = tmp_path / name
-        context.mkdir()
         first, rest = text.split("\n", 1)
         assert first.startswith("FROM <registry>/ros-torch:")
-        for file, content in {
-            "package.xml": USED,
-            "CMakeLists.txt": USED_CMAKE,
-            "detector.py": "#!/usr/bin/env python3\nprint('it detects')\n",
-        }.items():
-            (context / file).write_text(content)
-        (context / "detector.py").chmod(0o755)
+        program = "#!/usr/bin/env python3\nprint('it detects')\n"
+        write(tmp_path / name, {"package.xml": USED, "CMakeLists.txt": USED_CMAKE, "detector.py": program})
         command = re.search(r"^CMD (\[.*\])$", rest, re.MULTILINE)
         last = (
             f"RUN /entrypoint.sh {shlex.join(json.loads(command[1]))}"
             if command
             else "USER dev\nRUN touch /docker-ros/ws/mine && id -nG && bash -ic 'rospack find rospy'"
         )
-        (context / "Dockerfile").write_text(f"FROM {image}\n{rest}{last}\n")
-        said = build(services, context)
-        wanted = r"it detects" if command else r"dev .*\bvideo\b"
-        assert re.search(rf"^#\d+ [\d.]+ {wanted}", said, re.MULTILINE), said
+        output = build_file(services, tmp_path / name, f"FROM {image}\n{rest}{last}\n")
+        require("it detects" if command else r"dev .*\bvideo\b", output)
 
 
 def test_parts_are_compared(services: Services) -> None:
@@ -212,46 +194,31 @@ def test_parts_are_compared(services: Services) -> None:
         if command.startswith(("./rosml ", "regctl "))
     ]
     again = f"{NAMESPACE}-again"
-    for step, (old, new) in zip(
-        steps,
-        [
-            ("part ", f"part --namespace {NAMESPACE} "),
-            ("--again --namespace again", f"--namespace {again}"),
-            ("<host>/rosml/", f"<host>/{NAMESPACE}/"),
-        ],
-        strict=True,
-    ):
-        assert old in step
-        command = step.replace(old, new).replace("<host>/again/", f"<host>/{again}/")
+    changes = [
+        ("part ", f"part --namespace {NAMESPACE} "),
+        ("--again --namespace again", f"--namespace {again}"),
+        ("<host>/rosml/", f"<host>/{NAMESPACE}/"),
+    ]
+    for step, (words, ours) in zip(steps, changes, strict=True):
+        assert words in step
+        command = step.replace(words, ours).replace("<host>/again/", f"<host>/{again}/")
         argv = shlex.split(command.replace("<host>", services.registry))
         if argv[0] == "./rosml":
             argv[0] = str(ROOT / "rosml")
         if argv[0] == "regctl":
             argv[:1] = [regctl.program(services), "--host", f"reg={services.registry},tls=disabled"]
-        done = run(*argv, env={"PATH": f"{Path(services.uv).parent}:{os.environ['PATH']}"})
-        assert done.code == 0, done.err
+        done = succeeds(*argv, env={"PATH": f"{Path(services.uv).parent}:{os.environ['PATH']}"})
     assert done.out.strip() == "", "they differ"
 
 
 def test_an_image_is_carried_over(services: Services, published: Publish, tmp_path: Path) -> None:
     """Out of a registry into a file, and out of the file into another repository: the same digest."""
     image = published("ros1-bookworm-core")
-    found = [
-        command for block in section(ROOT / "docs/registry/networks.md", "Air-gapped") for command in commands(block)
-    ]
-    assert [command.split()[:3] for command in found] == [["regctl", "image", "export"], ["regctl", "image", "import"]]
+    page = ROOT / "docs/registry/networks.md"
+    lines = [shlex.split(line) for block in section(page, "Air-gapped") for line in commands(block)]
+    assert [words[:3] for words in lines] == [["regctl", "image", "export"], ["regctl", "image", "import"]]
     moved = f"{services.registry}/{NAMESPACE}/carried:over"
     places = (image.result["reference"], moved)
-    for command, place in zip(found, places, strict=True):
-        words = shlex.split(command)
-        done = run(
-            regctl.program(services),
-            "--host",
-            f"reg={services.registry},tls=disabled",
-            *words[1:3],
-            place,
-            str(tmp_path / words[4]),
-            env=services.environment(),
-        )
-        assert done.code == 0, done.err
+    for words, place in zip(lines, places, strict=True):
+        regctl.regctl(services, *words[1:3], place, str(tmp_path / words[4]))
     assert regctl.digest(services, moved) == image.result["digest"]

@@ -10,7 +10,6 @@ import secrets
 import shlex
 import shutil
 import subprocess
-import sys
 import tempfile
 import threading
 from collections.abc import Iterator
@@ -23,9 +22,9 @@ import yaml
 
 from rosml import ROOT
 from rosml.machine.services import Services
-from tests.e2e.conftest import NAMESPACE, run
-from tests.e2e.images import Publish, build, ca_secret
-from tests.e2e.test_containerize import commit, made
+from tests.e2e.app_builds import build_app, commit, write
+from tests.e2e.calls import NAMESPACE, rosml
+from tests.e2e.images import Publish, build, build_file, buildx
 
 EXAMPLES = ROOT / "examples"
 HERE = Path(__file__).parent / "examples_base"
@@ -34,26 +33,22 @@ HERE = Path(__file__).parent / "examples_base"
 def base(services: Services, reference: str, name: str, *steps: str) -> str:
     """An image with what the network has for others: lists for rosdep, the certificates of this machine, and `ros2 run` if
     ROS 2 is from wheels, which lack the command; then steps of a test's own."""
-    made = f"{services.registry}/{NAMESPACE}/examples/base:{name}"
-    options = ["--output", f"type=image,name={made},push=true", "--build-arg", f"BASE_IMAGE={reference}"]
-    options += ["--build-context", f"components={ROOT / 'components'}", *ca_secret(services)]
+    image = f"{services.registry}/{NAMESPACE}/examples/base:{name}"
+    options = ["--output", f"type=image,name={image},push=true", "--build-arg", f"BASE_IMAGE={reference}"]
     with tempfile.TemporaryDirectory() as folder:
         shutil.copytree(HERE, folder, dirs_exist_ok=True)
         with Path(folder, "Dockerfile").open("a") as file:
             file.write("".join(f"RUN {step}\n" for step in steps))
-        done = run(*services.buildx, "build", "--progress", "plain", *options, folder, env=services.environment())
-    assert done.code == 0, done.err
-    return made
+        buildx(services, *options, "--build-context", f"components={ROOT / 'components'}", folder)
+    return image
 
 
 def joined(services: Services, reference: str, name: str, *parts: str) -> str:
     """An image and parts that have been built."""
     prefix = f"{services.registry}/{NAMESPACE}"
-    made = f"{prefix}/examples/joined:{name}"
-    words = [reference, *(f"{prefix}/part:{part}" for part in parts), "--tag", made]
-    done = run(sys.executable, str(ROOT / "src"), "join", *words)
-    assert done.code == 0, done.err
-    return made
+    image = f"{prefix}/examples/joined:{name}"
+    rosml("join", reference, *(f"{prefix}/part:{part}" for part in parts), "--tag", image)
+    return image
 
 
 def example(
@@ -64,9 +59,9 @@ def example(
     shutil.copytree(EXAMPLES / name, place)
     with (place / "Dockerfile").open("a") as file:
         file.write("".join(f"RUN {check}\n" for check in checks))
-    said = build(services, place, "--build-arg", f"BASE_IMAGE={image}", *options)
-    assert re.search(r"Summary: [1-9]\d* tests?, 0 errors, 0 failures", said), said
-    return said
+    output = build(services, place, "--build-arg", f"BASE_IMAGE={image}", *options)
+    assert re.search(r"Summary: [1-9]\d* tests?, 0 errors, 0 failures", output), output
+    return output
 
 
 def command(name: str) -> str:
@@ -106,22 +101,30 @@ def test_tensorflow_node(services: Services, ros2_tensorflow: str, tmp_path: Pat
 
 def test_compose(services: Services, ros2: str, tmp_path: Path) -> None:
     """Both services side by side, on one network as compose gives them the host's; an engine with compose has not run them."""
-    found = yaml.safe_load((EXAMPLES / "compose/compose.yaml").read_text())["services"]
-    check = says("the light is in column", *(service["command"] for service in found.values()))
+    containers = yaml.safe_load((EXAMPLES / "compose/compose.yaml").read_text())["services"]
+    check = says("the light is in column", *(service["command"] for service in containers.values()))
     example(services, "compose", ros2, tmp_path, check)
 
 
 @pytest.mark.full(proof="cuda")
 def test_torch_node(services: Services, published: Publish, tmp_path: Path) -> None:
     image = base(services, published("jazzy-wheels-core-torch-cu128").reference, "torch-node")
-    said = example(services, "torch-node", image, tmp_path, says("PyTorch .* on cpu", command("torch-node")))
-    assert re.search(r"PyTorch [\d.]+\S* on cpu", said)
+    output = example(services, "torch-node", image, tmp_path, says("PyTorch .* on cpu", command("torch-node")))
+    assert re.search(r"PyTorch [\d.]+\S* on cpu", output)
 
 
 @pytest.mark.full(proof="cuda")
 def test_torch_nodelet(services: Services, published: Publish, tmp_path: Path) -> None:
     image = base(services, published("ros1-bookworm-core-torch-cu128").reference, "torch-nodelet")
     example(services, "torch-nodelet", image, tmp_path, says("PyTorch .* on cpu", command("torch-nodelet")))
+
+
+PYTEST = "python3-pytest: {debian: [python3-pytest]}\n"
+
+
+def index(folder: Path, rules: str) -> str:
+    """Lists for rosdep with some rules, in a folder; gives their place."""
+    return str(write(folder / "index", {"rosdep/base.yaml": rules}))
 
 
 ONNX = ("common-cpu-py311", "grpc-cpu-py311", "onnxruntime-cc-cpu", "onnxruntime-cpu-py311")
@@ -140,42 +143,31 @@ ONNX = ("common-cpu-py311", "grpc-cpu-py311", "onnxruntime-cc-cpu", "onnxruntime
     ],
 )
 def test_object_detection(
-    services: Services,
-    published: Publish,
-    tmp_path: Path,
-    target: str,
-    addon: str,
-    parts: tuple[str, ...],
+    services: Services, published: Publish, tmp_path: Path, target: str, addon: str, parts: tuple[str, ...]
 ) -> None:
     """The tests pass for each backend of the image. The image's command starts the node, which hears the camera of the example."""
     image = published(target).reference
-    built = run(sys.executable, str(ROOT / "src"), "part", *parts, "--namespace", NAMESPACE)
-    assert built.code == 0, built.err
+    rosml("part", *parts, "--namespace", NAMESPACE)
     shutil.copytree(EXAMPLES / "object-detection", tmp_path / "detector")
-    lists = tmp_path / "index/rosdep"
-    lists.mkdir(parents=True)
-    (lists / "base.yaml").write_text("python3-pytest: {debian: [python3-pytest]}\n")  # Debian's own list has the others
     [starts] = re.findall(
         '--command "(.*roslaunch.*)"', (ROOT / "docs/examples/object-detection.md").read_text(), re.MULTILINE
     )
-    options = ("--base-image", image, "--addons", addon, "--image-name", f"{NAMESPACE}/detector", "--command", starts)
-    found = made(tmp_path / "detector", *options, "--rosdep-index", str(lists.parent))
-    assert found["packages"] == ["detector", "detector_cpp", "detector_msgs"]
-    assert found["tests"]["count"] >= 10
+    options = {"base-image": image, "addons": addon, "image-name": f"{NAMESPACE}/detector", "command": starts}
+    # Debian's own list has the other keys.
+    result = build_app(tmp_path / "detector", options | {"target": "run", "rosdep-index": index(tmp_path, PYTEST)})
+    assert result["packages"] == ["detector", "detector_cpp", "detector_msgs"]
+    assert result["tests"]["count"] >= 10
     # Those of ROS 2: one for each backend. With one backend, there is nothing to compare.
-    assert found["tests"]["skipped"] == 2
-    assert list(Path(found["reports"]).rglob("gtest-*.xml")), "C++ has tests as well"
-    (tmp_path / "chk").mkdir()
+    assert result["tests"]["skipped"] == 2
+    assert list(Path(result["reports"]).rglob("gtest-*.xml")), "C++ has tests as well"
     heard = (
         "/tini -s -- /entrypoint.sh bash -c 'exec bash -c \"$DEFAULT_CMD\"' >/said 2>&1 & "
         "until grep -q 'ONNX Runtime .* on cpu' /said; do sleep 0.1; done; "
         "/entrypoint.sh rosrun detector camera & /entrypoint.sh rostopic echo -n 1 /boxes >/boxes; kill $(jobs -p); wait; "
         "grep 'ONNX Runtime' /said; test $(grep -c -E 'x1: (64|160).0|label: (0|1)' /boxes) = 4"
     )
-    (tmp_path / "chk/Dockerfile").write_text(
-        f"FROM {found['run']['reference']}\nRUN timeout 60 bash -c {shlex.quote(heard)}\n"
-    )
-    build(services, tmp_path / "chk")
+    text = f"FROM {result['run']['reference']}\nRUN timeout 60 bash -c {shlex.quote(heard)}\n"
+    build_file(services, tmp_path / "chk", text)
 
 
 GENERATORS = (
@@ -193,22 +185,17 @@ GENERATORS = (
 @pytest.mark.full(proof="wheels")
 def test_object_detection_of_ros_2(services: Services, published: Publish, tmp_path: Path) -> None:
     """The node in Python: a test of the example hears its boxes. No wheel has rclcpp."""
-    built = run(sys.executable, str(ROOT / "src"), "part", *ONNX, "--namespace", NAMESPACE)
-    assert built.code == 0, built.err
+    rosml("part", *ONNX, "--namespace", NAMESPACE)
     image = joined(services, published("jazzy-wheels-core").reference, "onnx", *ONNX)
     image = base(services, image, "object-detection", GENERATORS)
     folder = tmp_path / "detector"
     shutil.copytree(EXAMPLES / "object-detection", folder, ignore=shutil.ignore_patterns("detector_cpp"))
     keys = ("ament_cmake", "rclpy", "rosidl_default_generators", "rosidl_default_runtime", "sensor_msgs", "std_msgs")
-    lists = tmp_path / "index/rosdep"
-    lists.mkdir(parents=True)
-    (lists / "base.yaml").write_text(
-        "".join(f"{key}: {{debian: []}}\n" for key in keys) + "python3-pytest: {debian: [python3-pytest]}\n"
-    )
-    options = ("--base-image", image, "--addons", "", "--image-name", f"{NAMESPACE}/detector2")
-    found = made(folder, *options, "--rosdep-index", str(lists.parent))
-    assert found["packages"] == ["detector", "detector_msgs"]
-    assert found["tests"]["count"] == 8 and found["tests"]["skipped"] == 1, "there is no second backend to compare"
+    rules = "".join(f"{key}: {{debian: []}}\n" for key in keys) + PYTEST
+    options = {"base-image": image, "addons": "", "image-name": f"{NAMESPACE}/detector2", "target": "run"}
+    result = build_app(folder, options | {"rosdep-index": index(tmp_path, rules)})
+    assert result["packages"] == ["detector", "detector_msgs"]
+    assert result["tests"]["count"] == 8 and result["tests"]["skipped"] == 1, "there is no second backend to compare"
 
 
 @pytest.mark.full(proof="wheels")
@@ -224,9 +211,8 @@ def test_vscode(services: Services, ros2: str, tmp_path: Path) -> None:
         "COPY --chown=dev . .",
     ]
     lines += [f"RUN {line}" for line in (container["postCreateCommand"], *(task["command"] for task in tasks))]
-    (tmp_path / "Dockerfile").write_text("\n".join(lines) + "\n")
-    said = build(services, tmp_path, "--build-arg", f"BASE_IMAGE={ros2}")
-    assert "Summary: 1 test, 0 errors, 0 failures" in said
+    output = build_file(services, tmp_path, "\n".join(lines) + "\n", "--build-arg", f"BASE_IMAGE={ros2}")
+    assert "Summary: 1 test, 0 errors, 0 failures" in output
 
 
 @pytest.mark.full(proof="wheels")
@@ -258,23 +244,20 @@ setup(name="driver", version="1.0.0", packages=["driver"], data_files=[
 @contextmanager
 def private(folder: Path, password: str) -> Iterator[str]:
     """A server with a repository `driver.git`, for whoever has the password; gives its place, such as 127.0.0.1:1234."""
-    source = folder / "driver"
-    for name, text in DRIVER.items():
-        (source / name).parent.mkdir(parents=True, exist_ok=True)
-        (source / name).write_text(text)
+    source, served = write(folder / "driver", DRIVER), folder / "served"
     commit(source)
-    served = folder / "served"
+    git = ("git", "-C", str(served / "driver.git"))
     subprocess.run(["git", "clone", "--quiet", "--bare", str(source), str(served / "driver.git")], check=True)
-    subprocess.run(["git", "-C", str(served / "driver.git"), "branch", "--move", "--force", "main"], check=True)
-    subprocess.run(["git", "-C", str(served / "driver.git"), "update-server-info"], check=True)
-    wanted = "Basic " + base64.b64encode(f"x-access-token:{password}".encode()).decode()
+    subprocess.run([*git, "branch", "--move", "--force", "main"], check=True)
+    subprocess.run([*git, "update-server-info"], check=True)
+    header = "Basic " + base64.b64encode(f"x-access-token:{password}".encode()).decode()
 
     class Server(http.server.SimpleHTTPRequestHandler):
         def __init__(self, *arguments: Any) -> None:
             super().__init__(*arguments, directory=str(served))
 
         def do_GET(self) -> None:
-            if self.headers.get("Authorization") == wanted:
+            if self.headers.get("Authorization") == header:
                 super().do_GET()
                 return
             self.send_response(401)
@@ -316,8 +299,8 @@ def test_rviz(services: Services, published: Publish, tmp_path: Path) -> None:
         "timeout 20 /entrypoint.sh rostopic echo -n 1 /ball/header; cat /said; xwininfo -root -tree >/windows;",
         "kill $(jobs -p); wait; grep 'scene.rviz.* - RViz' /windows",
     ]
-    said = example(services, "rviz", image, tmp_path, f"bash -c {shlex.quote(' '.join(lines))}")
-    assert re.search(r'frame_id: "?map', said)
+    output = example(services, "rviz", image, tmp_path, f"bash -c {shlex.quote(' '.join(lines))}")
+    assert re.search(r'frame_id: "?map', output)
 
 
 @pytest.mark.full(proof="includes")

@@ -6,37 +6,16 @@ import signal
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
 
-from rosml import ROOT
 from rosml.machine.services import Services
 from tests import regctl
-from tests.e2e.conftest import HANGS, NAMESPACE, Published, publish, run, small_file_system
-from tests.e2e.images import NATIVE
+from tests.e2e.calls import HANGS, NAMESPACE, publish
+from tests.e2e.images import NATIVE, Publish, Published
 
 TARGET = "ros1-bookworm-core"
-
-
-def test_a_failing_structure_test_leaves_every_tag(
-    published: Callable[[str], Published], services: Services, checkout: Path
-) -> None:
-    """The matrix promises a Python that the image does not have: the label is right, the content is not."""
-    before = published(TARGET)
-    matrix = checkout / "matrix.yaml"
-    text = matrix.read_text().replace('python: "3.11"', 'python: "3.12"', 1)
-    # Systems with one Python agree on what parts depend on: bookworm provides what Ubuntu 24.04 does.
-    system = text.index("  ubuntu-24.04:")
-    provides = text[text.index("provides:", system) :].splitlines()[0]
-    matrix.write_text(text.replace(text[text.index("provides: {") :].splitlines()[0], provides, 1))
-    outcome = publish(TARGET, root=checkout)
-    assert outcome.code == 1
-    assert "gets no tag" in outcome.err
-    assert "Python 3.11, expected 3.12" in outcome.err
-    for tag in before.result["tags"]:
-        assert regctl.digest(services, tag) == before.result["digest"]
 
 
 BROKEN = {
@@ -56,11 +35,24 @@ BROKEN = {
 """What breaks a whole image, and what names it. Checks of single files: tests/unit/components/test_checks.py."""
 
 
-def test_each_thing_that_is_broken_in_an_image_is_named(
-    published: Callable[[str], Published], services: Services, checkout: Path
-) -> None:
+def other_python(matrix: Path) -> None:
+    """Has the matrix promise a Python that the image does not have: the label is right, the content is not."""
+    text = matrix.read_text().replace('python: "3.11"', 'python: "3.12"', 1)
+    # Systems with one Python agree on what parts depend on: bookworm provides what Ubuntu 24.04 does.
+    provides = text[text.index("provides:", text.index("  ubuntu-24.04:")) :].splitlines()[0]
+    matrix.write_text(text.replace(text[text.index("provides: {") :].splitlines()[0], provides, 1))
+
+
+def stay(image: Published) -> None:
+    """Asserts that no tag of an image moved."""
+    for tag in image.result["tags"]:
+        assert regctl.digest(image.services, tag) == image.result["digest"]
+
+
+def test_each_thing_that_is_broken_in_an_image_is_named_and_no_tag_moves(published: Publish, checkout: Path) -> None:
     """All of them at once, in one copy of the image."""
     before = published(TARGET)
+    other_python(checkout / "matrix.yaml")
     (checkout / "tests/structure/break.sh").write_text("\n".join(["set -e", *BROKEN, ""]))
     dockerfile = checkout / "Dockerfile"
     stage = "FROM image AS test-run\n"
@@ -69,10 +61,10 @@ def test_each_thing_that_is_broken_in_an_image_is_named(
     step = "RUN --mount=type=bind,source=tests/structure,target=/run/tests bash /run/tests/break.sh\n"
     dockerfile.write_text(text.replace(stage, stage + step))
     outcome = publish(TARGET, root=checkout)
-    assert outcome.code == 1
-    assert [words for words in BROKEN.values() if words not in outcome.err] == [], outcome.err
-    for tag in before.result["tags"]:
-        assert regctl.digest(services, tag) == before.result["digest"]
+    assert outcome.code == 1 and "gets no tag" in outcome.err
+    failures = ("Python 3.11, expected 3.12", *BROKEN.values())
+    assert [words for words in failures if words not in outcome.err] == [], outcome.err
+    stay(before)
 
 
 QUICK_TEST = """\
@@ -82,7 +74,7 @@ commandTests:
 """
 
 
-def test_a_failure_is_not_taken_from_the_cache(published: Callable[[str], Published], checkout: Path) -> None:
+def test_a_failure_is_not_taken_from_the_cache(published: Publish, checkout: Path) -> None:
     """A structure test that failed runs again: what made it fail may be gone."""
     published(TARGET)
     for file in (checkout / "tests" / "structure").glob("*.yaml"):
@@ -99,44 +91,8 @@ def test_a_failure_is_not_taken_from_the_cache(published: Callable[[str], Publis
     assert publish(TARGET, root=checkout).code == 0
 
 
-def test_a_stale_bake_file_is_found_and_left_alone(published: Callable[[str], Published], checkout: Path) -> None:
-    published(TARGET)
-    with (checkout / "docker-bake.hcl").open("a") as stream:
-        stream.write("# somebody's edit\n")
-    generator = str(checkout / "scripts" / "generate_bake.py")
-    check = run(sys.executable, generator, "--check", "--output", str(checkout / "docker-bake.hcl"))
-    assert check.code == 1
-    assert "somebody's edit" in check.out
-    stale = (checkout / "docker-bake.hcl").read_text()
-    assert publish(TARGET, root=checkout).code == 0
-    assert (checkout / "docker-bake.hcl").read_text() == stale
-    assert run(sys.executable, generator, "--output", str(checkout / "docker-bake.hcl")).code == 0
-    assert run(sys.executable, generator, "--check", "--output", str(checkout / "docker-bake.hcl")).code == 0
-
-
-@pytest.fixture
-def full_disk(checkout: Path, services: Services) -> Iterator[Path]:
-    """The checkout with its state on a file system of 50 MB."""
-    content = (checkout / ".state" / "services.json").read_text()
-    state = checkout / ".state"
-    small_file_system(state, "50m", services)
-    (state / "services.json").write_text(content)
-    (state / "auth").symlink_to(ROOT / ".state/auth")
-    yield checkout
-    subprocess.run(["umount", str(state)], check=True)
-
-
-def test_a_disk_without_room(full_disk: Path) -> None:
-    outcome = publish("ros1-bookworm-core-torch-cu128", root=full_disk)
-    assert outcome.code == 1
-    assert "not enough disk space" in outcome.err
-    assert "are needed" in outcome.err and "are free" in outcome.err
-
-
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_interrupted_in_the_middle(
-    published: Callable[[str], Published], services: Services, checkout: Path, number: signal.Signals
-) -> None:
+def test_interrupted_in_the_middle(published: Publish, checkout: Path, number: signal.Signals) -> None:
     before = published(TARGET)
     install = checkout / "components" / "ros" / "install.sh"
     install.write_text(install.read_text() + f"sleep 60 # {time.time_ns()}\n")
@@ -157,14 +113,11 @@ def test_interrupted_in_the_middle(
     assert process.returncode == 130
     assert "no tag points at what is not finished" in err
     assert "Traceback" not in err
-    for tag in before.result["tags"]:
-        assert regctl.digest(services, tag) == before.result["digest"]
+    stay(before)
     assert publish(TARGET).code == 0
 
 
-def test_the_root_of_a_build_step_is_the_builders_alone(
-    published: Callable[[str], Published], services: Services, tmp_path: Path
-) -> None:
+def test_the_root_of_a_build_step_is_the_builders_alone(published: Publish, services: Services, tmp_path: Path) -> None:
     """A search or an indexer that walks through the checkout must not hold a build step's root open: unmounting it
     would fail then, and what the builder removes next would be the step's result."""
     image = published(TARGET)

@@ -6,7 +6,6 @@ from __future__ import annotations
 import json
 import re
 import shutil
-import sys
 from pathlib import Path
 
 import pytest
@@ -15,7 +14,7 @@ from rosml import ROOT
 from rosml.machine.services import Services
 from rosml.registry.place import Place
 from tests import walk
-from tests.e2e.conftest import NAMESPACE, run
+from tests.e2e.calls import NAMESPACE, rosml, succeeds
 from tests.e2e.images import NATIVE
 
 
@@ -42,31 +41,28 @@ def test_a_fork_by_the_documentation_passes_its_own_tests(tmp_path: Path) -> Non
     walk.set_up(fork)
     done = walk.unit_tests(fork, processes=2)
     assert done.returncode == 0, done.stdout
-    found = re.search(r"(\d+) passed", done.stdout)
-    assert found and int(found[1]) > 1000, done.stdout
+    passed = re.search(r"(\d+) passed", done.stdout)
+    assert passed and int(passed[1]) > 1000, done.stdout
 
 
 @pytest.mark.full(proof="fork")
 @pytest.mark.timeout(1800)
 def test_a_set_without_a_fork(services: Services, tmp_path: Path) -> None:
     """From rosml init --images to tags in a registry, by the set's own command and a rosml that it fetches."""
-    rosml, own = tmp_path / "rosml", tmp_path / "own"
-    rosml.mkdir()
-    walk.clone(rosml)
+    program, folder = tmp_path / "rosml", tmp_path / "own"
+    program.mkdir()
+    walk.clone(program)
     place = f"{services.registry}/{NAMESPACE}/own-set"
-    chosen = ("--distribution", "ros1-bookworm", "--registry", place, "--rosml", str(rosml))
-    assert run(sys.executable, "src", "init", "--images", str(own), *chosen, cwd=rosml).code == 0
-    command = str(own / "rosml")
-    listed = run(command, "list", "--json")
-    assert listed.code == 0, listed.err
+    chosen = ("--distribution", "ros1-bookworm", "--registry", place, "--rosml", str(program))
+    rosml("init", "--images", str(folder), *chosen, root=program)
+    command = str(folder / "rosml")
+    listed = succeeds(command, "list", "--json")
     assert {image["distribution"] for image in json.loads(listed.out)} == {"ros1-bookworm"}
-    shutil.rmtree(own / ".rosml/.state/bin")
+    shutil.rmtree(folder / ".rosml/.state/bin")
     for name in ("bin", "buildx", "auth"):  # what `rosml setup` would make
-        (own / ".rosml/.state" / name).symlink_to(ROOT / ".state" / name)
-    shutil.copy(ROOT / ".state/services.json", own / ".rosml/.state")
-    asked = ("--registry", place, "--only", "ros1-bookworm-core", "--serve", NATIVE)
-    planned = run(command, "plan", "--everywhere", *asked)
-    assert planned.code == 0 and " GB in the registry" in planned.out, planned.err
-    published = run(command, "publish", "all", *asked)
-    assert published.code == 0, published.out + published.err
+        (folder / ".rosml/.state" / name).symlink_to(ROOT / ".state" / name)
+    shutil.copy(ROOT / ".state/services.json", folder / ".rosml/.state")
+    selected = ("--registry", place, "--only", "ros1-bookworm-core", "--serve", NATIVE)
+    assert " GB in the registry" in succeeds(command, "plan", "--everywhere", *selected).out
+    succeeds(command, "publish", "all", *selected)
     assert Place.at(place).client.head(Place.at(place).path("ros"), "ros1-bookworm-core")

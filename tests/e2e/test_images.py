@@ -18,8 +18,8 @@ from rosml.images.image_set.labels import OCI
 from rosml.images.image_set.model import ImageSet
 from rosml.machine.services import Services
 from tests import regctl
-from tests.e2e.conftest import NAMESPACE, Published, publish, run
-from tests.e2e.images import NATIVE, PLATFORM, Publish, base_image, base_reference, build, push_part
+from tests.e2e.calls import NAMESPACE, publish, succeeds
+from tests.e2e.images import NATIVE, PLATFORM, Publish, base_image, build_file, config, push_part, system
 from tests.pages import blocks, commands
 
 OCI_SET = {"title", "description", "version", "created", "licenses", "base.name", "base.digest"}
@@ -58,13 +58,8 @@ CUDA = Pair(
     scope="module", params=[CPU, pytest.param(CUDA, marks=pytest.mark.full(proof="cuda"))], ids=["cpu", "cuda"]
 )
 def pair(request: pytest.FixtureRequest) -> Pair:
-    found: Pair = request.param
-    return found
-
-
-def part_layers(image: Published) -> list[str]:
-    """The layers of an image that are its parts'."""
-    return image.layers[-len(image.image.parts) :]
+    images: Pair = request.param
+    return images
 
 
 def test_an_image_is_built_tested_and_published(pair: Pair, published: Publish, services: Services) -> None:
@@ -76,19 +71,21 @@ def test_an_image_is_built_tested_and_published(pair: Pair, published: Publish, 
     index = regctl.manifest(services, image.result["reference"])
     assert [entry["digest"] for entry in index["manifests"]] == [image.result["manifest"]]
     assert index["manifests"][0]["platform"] == {"architecture": NATIVE, "os": "linux"}
-    config = regctl.image_config(services, image.reference, PLATFORM)["config"]
-    assert structure_tests.expected_labels(image.image).items() <= config["Labels"].items()
-    said = {name: text for name, text in config["Labels"].items() if name.startswith(OCI)}
-    assert {name.removeprefix(OCI) for name in said} - {"source"} == OCI_SET
-    assert said.items() <= index["annotations"].items()
-    assert config["Entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
+    start = config(services, image.reference)
+    assert structure_tests.expected_labels(image.image).items() <= start["Labels"].items()
+    facts = {name: text for name, text in start["Labels"].items() if name.startswith(OCI)}
+    assert {name.removeprefix(OCI) for name in facts} - {"source"} == OCI_SET
+    assert facts.items() <= index["annotations"].items()
+    assert start["Entrypoint"] == ["/tini", "--", "/entrypoint.sh"]
+    if image.image.budget:
+        parts = regctl.layers(services, image.reference)[-len(image.image.parts) :]
+        assert sum(layer.size for layer in parts) <= image.image.budget * 1_000_000
 
 
 def test_make_image(published: Publish, services: Services) -> None:
     """The front door, as it stands in the README; with a builder that has built the image before."""
     image = published("ros1-bookworm-core")
-    done = run("make", "image", "TARGET=ros1-bookworm-core", cwd=ROOT)
-    assert done.code == 0, done.err
+    done = succeeds("make", "image", "TARGET=ros1-bookworm-core")
     reference = f"{services.registry}/rosml/{image.image.tags[0]}"
     assert re.search(rf"^FROM +{re.escape(reference)}$", done.out, re.MULTILINE), done.out
     index = regctl.manifest(services, reference)
@@ -109,8 +106,8 @@ def test_a_second_call_changes_nothing(pair: Pair, published: Publish) -> None:
 def test_a_second_image_with_the_same_part_costs_next_to_nothing(pair: Pair, published: Publish) -> None:
     """No part is assembled or uploaded again; `make bench` says how many seconds that is."""
     first, second = published(pair.first), published(pair.second)
-    assert part_layers(second) == part_layers(first)
-    assert set(second.layers) - set(part_layers(second)) != set(first.layers) - set(part_layers(first))
+    assert second.part_layers == first.part_layers
+    assert set(second.layers) - set(second.part_layers) != set(first.layers) - set(first.part_layers)
     assert second.result["uploaded"] < SECOND_IMAGE_BYTES
     assert not [target for target in second.result["made"] if target.startswith("part-")]
 
@@ -129,21 +126,17 @@ def test_parts_are_added_to_an_image_of_ones_own(
     """COPY --link, as the documentation shows it: a framework in a Debian image that has Python and nothing of ours."""
     image = published(pair.first)
     layers = [layer for name in image.image.parts for layer in push_part(services, image, image_set.part_by_name[name])]
-    assert layers == part_layers(image), "the part as an image of its own is the same layer"
+    assert layers == image.part_layers, "the part as an image of its own is the same layer"
     shutil.copy(ROOT / "components/build/network.sh", tmp_path)
     page = ROOT / "docs/parts.md"
     (install,) = [command for block in blocks(page) for command in commands(block) if command.startswith("apt-get")]
     copies = [f"COPY --link --from={services.registry}/{NAMESPACE}/part:{name} / /" for name in image.image.parts]
-    (tmp_path / "Dockerfile").write_text(
-        textwrap.dedent(f"""\
-            FROM {base_reference(image)}
+    text = textwrap.dedent(f"""\
+            FROM {system(services, image.image.os)}
             RUN --mount=type=bind,source=network.sh,target=/network.sh --mount=type=secret,id=ca-bundle \\
                 bash -c '. /network.sh && apt-get update && {install}'
         """)
-        + "\n".join(copies)
-        + f"\nRUN python3 -c '{pair.program}'\n"
-    )
-    build(services, tmp_path)
+    build_file(services, tmp_path, "\n".join([f"{text}{copies[0]}", *copies[1:], f"RUN python3 -c '{pair.program}'\n"]))
 
 
 def test_the_committed_bake_file_works_by_itself(services: Services, published: Publish) -> None:
@@ -160,12 +153,12 @@ def test_the_committed_bake_file_works_by_itself(services: Services, published: 
     }
     # Of when packages are, which the publisher tells the builder: so that what it built is taken from the cache.
     moment = ("--set", f"*.contexts.upstream={services.state / 'package-state/ros1-bookworm'}")
-    outcome = run(*arguments, *moment, "ros1-bookworm-core-test", env=env)
-    assert outcome.code == 0, outcome.err
+    succeeds(*arguments, *moment, "ros1-bookworm-core-test", env=env)
 
 
-def test_a_user_builds_on_the_published_tag(pair: Pair, services: Services, published: Publish, tmp_path: Path) -> None:
-    """FROM, as the README shows it, with a ROS package; tests/e2e/test_documentation.py has C++."""
+def test_a_user_builds_on_the_published_tag(pair: Pair, published: Publish, tmp_path: Path) -> None:
+    """FROM, as the README shows it, with a ROS package; by the command that `rosml image` prints, in a shell that knows nothing
+    of this machine's services. tests/e2e/test_documentation.py has C++."""
     image = published(pair.first)
     (tmp_path / "Dockerfile").write_text(
         textwrap.dedent(f"""\
@@ -174,13 +167,5 @@ def test_a_user_builds_on_the_published_tag(pair: Pair, services: Services, publ
                 cd /ws && catkin_make && . devel/setup.sh && rospack find example
         """)
     )
-    build(services, tmp_path)
-
-
-def test_the_printed_command_builds_on_the_image(pair: Pair, published: Publish, tmp_path: Path) -> None:
-    """As `rosml image` prints it, in a shell that knows nothing of this machine's services."""
-    image = published(pair.first)
-    (tmp_path / "Dockerfile").write_text(f"FROM {image.result['reference']}\nRUN command -v rospack\n")
     unset = ("DOCKER_AUTH_CONFIG", "BUILDX_CONFIG", "BUILDX_BUILDER")
-    outcome = run("env", *(f"--unset={name}" for name in unset), "bash", "-c", image.result["builder"], cwd=tmp_path)
-    assert outcome.code == 0, outcome.err
+    succeeds("env", *(f"--unset={name}" for name in unset), "bash", "-c", image.result["builder"], cwd=tmp_path)

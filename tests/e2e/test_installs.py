@@ -16,5 +16,5 @@ from rosml.machine.services import Services
 def test_no_constraint_takes_an_older_release_than_it_must(services: Services, monkeypatch: pytest.MonkeyPatch) -> None:
     for name, value in services.environment().items():
         monkeypatch.setitem(os.environ, name, value)
-    found = installs.look(load.load(ROOT / "matrix.yaml", ROOT), ROOT, services.uv, say=print)
-    assert installs.too_old(found) == []
+    packages = installs.look(load.load(ROOT / "matrix.yaml", ROOT), ROOT, services.uv, say=print)
+    assert installs.too_old(packages) == []

@@ -1,12 +1,10 @@
-"""A row whose ROS comes from an apt archive of somebody's own, as docs/extend/archive.md has it: the entry of the page, the key, a build.
+"""A distribution whose ROS comes from an apt archive of somebody's own, as docs/extend/archive.md has it: the entry of the page, the key, a build.
 The archive is one that the test signs; the address of the page is answered by a mirror on this machine."""
 
 from __future__ import annotations
 
 import json
 import shutil
-import sys
-import tempfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,17 +14,16 @@ import pytest
 from rosml import ROOT
 from rosml.containerize.ci import files as ci_files
 from rosml.images.bake import targets
-from rosml.images.builds import base_images
 from rosml.images.image_set import load
 from rosml.images.matrix.source import read
 from rosml.images.records import store
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
 from rosml.registry.place import Place
-from tests import regctl, walk
-from tests.e2e.apt_stand_in import Image, Keys, Repository, Server, package
-from tests.e2e.conftest import NAMESPACE, Run, run
-from tests.e2e.images import NATIVE, PLATFORM, build
+from tests import walk
+from tests.e2e.calls import NAMESPACE, Run, rosml, succeeds
+from tests.e2e.images import NATIVE, build_file, config, system
+from tests.e2e.local_apt import Image, Keys, Repository, Server, package, require_one_sentence, signing_keys
 from tests.pages import commands
 
 PAGE = "ROS from your own archive"
@@ -37,14 +34,8 @@ WHEN = "2026-11-20T21:14:09Z"
 
 @pytest.fixture(scope="module")
 def keys() -> Iterator[Keys]:
-    with tempfile.TemporaryDirectory(prefix="gpg-") as home:  # short: gpg's sockets are in it
-        made = Keys(Path(home))
-        try:
-            for name in ("ours", "stranger"):
-                made.make(name)
-            yield made
-        finally:
-            made.close()
+    with signing_keys("ours", "stranger") as keys:
+        yield keys
 
 
 @pytest.fixture
@@ -64,7 +55,7 @@ def archive(tmp_path: Path, keys: Keys) -> Iterator[tuple[Server, Repository]]:
     server.close()
 
 
-def row(project: Path) -> None:
+def add_entry(project: Path) -> None:
     """Puts the page's entry into a project."""
     [entry] = [block for block in walk.section(PAGE) if block.title]
     walk.insert(project, entry)
@@ -76,54 +67,39 @@ def test_the_page_is_followed_to_an_image(
 ) -> None:
     """Its commands, with the key of this archive; the image is built, and not tested: there is no real ROS in it."""
     server, _ = archive
-    for name in (
-        "matrix.schema.json",
-        "catalogue.schema.json",
-        "docs/tags.md",
-        "docs/images/layers.svg",
-        "docs/images/rebase.svg",
-        *ci_files.FILES,
-    ):
+    documents = ("docs/tags.md", "docs/images/layers.svg", "docs/images/rebase.svg")
+    for name in ("matrix.schema.json", "catalogue.schema.json", *documents, *page.PAGES, *ci_files.FILES):
         (checkout / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, checkout / name)
-    row(checkout)
+    add_entry(checkout)
     export, generate, explain, image = [
         command for block in walk.section(PAGE) if block.language == "sh" for command in commands(block)
     ]
-    env = {"GNUPGHOME": str(keys.home)}
-    done = run("bash", "-c", export.replace(OURS, "ours@example.org"), cwd=checkout, env=env)
-    assert done.code == 0, done.err
+    succeeds("bash", "-c", export.replace(OURS, "ours@example.org"), cwd=checkout, env={"GNUPGHOME": str(keys.home)})
     walk.run(checkout, generate)
     assert "ros-jazzy-ros-core installed" in walk.run(checkout, explain)
     target = image.removeprefix("./rosml image ")
     place = f"{services.registry}/{NAMESPACE}-archive"
-    argv = [sys.executable, "src", "publish", "build", "--only", target, "--registry", place, "--json"]
-    done = run(*argv, cwd=checkout, env={"ROS_APT_MIRROR": server.url})
-    assert done.code == 0, done.err
+    env = {"ROS_APT_MIRROR": server.url}
+    rosml("publish", "build", "--only", target, "--registry", place, "--json", root=checkout, env=env)
     with Registry(services.registry) as registry:
         entry = store.Records(Place(registry, f"{NAMESPACE}-archive")).read(target, NATIVE)
     assert entry and entry.package_state.startswith(f"{WHEN}, debian bookworm ")
-    config = regctl.image_config(services, f"{place}/ros@{entry.digest}", PLATFORM)["config"]
-    assert config["Labels"]["io.rosml.ros.sync"] == WHEN
-    assert "ROS_DISTRO=jazzy" in config["Env"] and f"ROS_SYNC_DATE={WHEN}" in config["Env"]
+    start = config(services, f"{place}/ros@{entry.digest}")
+    assert start["Labels"]["io.rosml.ros.sync"] == WHEN
+    assert {"ROS_DISTRO=jazzy", f"ROS_SYNC_DATE={WHEN}"} <= {*start["Env"]}
 
     # The same on an image of somebody else: Debian's own.
-    systems = load.load(ROOT / "matrix.yaml").matrix.operating_systems
-    debian = base_images.reference(services, systems, "bookworm", NATIVE)
-    plain = f"{services.registry}/{NAMESPACE}-archive/debian:plain"
-    (tmp_path / "plain").mkdir()
-    (tmp_path / "plain/Dockerfile").write_text(f"FROM {debian}\n")
-    build(services, tmp_path / "plain", "--output", f"type=image,name={plain},push=true")
-    argv = [sys.executable, "src", "image", target, "--on", plain, "--namespace", f"{NAMESPACE}-archive", "--json"]
-    done = run(*argv, cwd=checkout, env={"ROS_APT_MIRROR": server.url})
-    assert done.code == 0, done.err
-    config = regctl.image_config(services, json.loads(done.out)["reference"], PLATFORM)["config"]
-    assert "ROS_DISTRO=jazzy" in config["Env"] and f"ROS_SYNC_DATE={WHEN}" in config["Env"]
+    plain, output = f"{place}/debian:plain", f"type=image,name={place}/debian:plain,push=true"
+    build_file(services, tmp_path / "plain", f"FROM {system(services, 'bookworm')}\n", "--output", output)
+    words = ("image", target, "--on", plain, "--namespace", f"{NAMESPACE}-archive", "--json")
+    start = config(services, json.loads(rosml(*words, root=checkout, env=env).out)["reference"])
+    assert {"ROS_DISTRO=jazzy", f"ROS_SYNC_DATE={WHEN}"} <= {*start["Env"]}
 
 
 @dataclass
-class Row:
-    """The page's row with a stand-in for its image, in which the Dockerfile's step runs."""
+class LocalDistribution:
+    """The page's distribution with a local replacement for its image, in which the Dockerfile's step runs."""
 
     keys: Keys
     server: Server
@@ -136,21 +112,27 @@ class Row:
         script = "/run/components/ros/install.sh"
         return self.image.run(script, env=env, ros_apt_mirror=self.server.url, os_apt_mirror="")
 
-    def pin(self, key: str) -> None:
-        (self.image.components / "archive-keys/key.asc").write_text(self.keys.armored(key))
+    def offer(self, debs: list[Path]) -> None:
+        """Publishes other packages."""
+        self.repository.debs = debs
+        self.repository.publish("ours")
+
+    def pin(self, text: str) -> None:
+        """Writes the file of the key."""
+        (self.image.components / "archive-keys/key.asc").write_text(text)
 
 
 @pytest.fixture
-def ours(tmp_path: Path, keys: Keys, archive: tuple[Server, Repository]) -> Row:
+def ours(tmp_path: Path, keys: Keys, archive: tuple[Server, Repository]) -> LocalDistribution:
     project = tmp_path / "project"
     project.mkdir()
     shutil.copy(ROOT / "matrix.yaml", project)
-    row(project)
-    found = targets.of(load.image_set(read(project / "matrix.yaml")))
+    add_entry(project)
+    bake = targets.of(load.image_set(read(project / "matrix.yaml")))
     arguments = {
         component: {
             name: fact
-            for name, value in found[f"jazzy-ours-{component}"].arguments.items()
+            for name, value in bake[f"jazzy-ours-{component}"].arguments.items()
             if isinstance(fact := value.fact if isinstance(value, targets.Overridable) else value, str)
         }
         for component in ("core", "base")
@@ -158,12 +140,12 @@ def ours(tmp_path: Path, keys: Keys, archive: tuple[Server, Repository]) -> Row:
     arguments["core"]["ROS_TOOLS"] = "ros-jazzy-ros-core"  # Debian's own tools are no matter of this archive
     (tmp_path / "image").mkdir()
     server, repository = archive
-    made = Row(keys, server, repository, Image(tmp_path / "image", "trixie"), arguments)
-    made.pin("ours")
-    return made
+    local = LocalDistribution(keys, server, repository, Image(tmp_path / "image", "trixie"), arguments)
+    local.pin(keys.armored("ours"))
+    return local
 
 
-def test_packages_come_from_the_archive(ours: Row) -> None:
+def test_packages_come_from_the_archive(ours: LocalDistribution) -> None:
     """On a system of another name than the suite; the source and the key stay for what is installed later."""
     for component in ("core", "base"):
         done = ours.build(component, ROS_SYNC_DATE=WHEN)
@@ -179,67 +161,46 @@ def test_packages_come_from_the_archive(ours: Row) -> None:
     assert ours.image.run("bash", "-c", check, env={"ROS_SYNC_DATE": WHEN}).code == 0
 
 
-def unsigned(row: Row) -> None:
-    suite = row.repository.folder / "dists/bookworm"
-    (suite / "InRelease").write_text((row.repository.folder / "Release").read_text())
+def unsigned(local: LocalDistribution) -> None:
+    folder = local.repository.folder
+    (folder / "dists/bookworm/InRelease").write_text((folder / "Release").read_text())
 
 
-def stranger(row: Row) -> None:
-    row.repository.publish("stranger")
+def moved(local: LocalDistribution) -> None:
+    local.arguments["core"]["ROS_SYNC_DATE"] = "2026-11-13T00:00:00Z"
 
 
-def other_suite(row: Row) -> None:
-    row.repository.publish("ours", says="sid")
+NO_PACKAGE = "no apt source has a package"
+NO_KEY = "components/archive-keys/ours.asc is no public key"
 
-
-def empty(row: Row) -> None:
-    row.repository.debs = []
-    row.repository.publish("ours")
-
-
-def no_metapackage(row: Row) -> None:
-    row.repository.debs = row.repository.debs[1:]
-    row.repository.publish("ours")
-
-
-def no_key(row: Row) -> None:
-    (row.image.components / "archive-keys/key.asc").unlink()
-
-
-def no_public_key(row: Row) -> None:
-    (row.image.components / "archive-keys/key.asc").write_text("<html>not found</html>\n")
-
-
-def nothing_there(row: Row) -> None:
-    shutil.rmtree(row.repository.folder)
-
-
-def moved(row: Row) -> None:
-    row.arguments["core"]["ROS_SYNC_DATE"] = "2026-11-13T00:00:00Z"
-
-
-FAULTS: dict[str, tuple[Callable[[Row], None], str, str]] = {
+FAULTS: dict[str, tuple[Callable[[LocalDistribution], object], str, str]] = {
     "not signed": (unsigned, "has no valid signature", "check the mirror"),
-    "signed by another key": (stranger, "which is not a pinned one", "components/archive-keys"),
-    "another suite": (other_suite, "has the suite 'sid' in the place of 'bookworm'", "check the mirror"),
-    "empty": (empty, "no apt source has a package", "check its name in matrix.yaml, and whether http"),
-    "without the metapackage": (no_metapackage, "no apt source has a package", "check its name in matrix.yaml"),
-    "no key": (no_key, "components/archive-keys/ours.asc is no public key", "gpg --armor --export"),
-    "a page in the place of the key": (no_public_key, "ours.asc is no public key", "gpg --armor --export"),
-    "no archive": (nothing_there, "there is no such apt repository", "'archive', in matrix.yaml"),
+    "signed by another key": (
+        lambda local: local.repository.publish("stranger"),
+        *("which is not a pinned one", "components/archive-keys"),
+    ),
+    "another suite": (
+        lambda local: local.repository.publish("ours", says="sid"),
+        *("has the suite 'sid' in the place of 'bookworm'", "check the mirror"),
+    ),
+    "empty": (lambda local: local.offer([]), NO_PACKAGE, "check its name in matrix.yaml, and whether http"),
+    "without the metapackage": (
+        lambda local: local.offer(local.repository.debs[1:]),
+        *(NO_PACKAGE, "check its name in matrix.yaml"),
+    ),
+    "no key": (lambda local: local.pin(""), NO_KEY, "gpg --armor --export"),
+    "a page in the place of the key": (lambda local: local.pin("<html>not found</html>\n"), NO_KEY, "gpg --armor"),
+    "no archive": (
+        lambda local: shutil.rmtree(local.repository.folder),
+        *("there is no such apt repository", "'archive', in matrix.yaml"),
+    ),
     "moved meanwhile": (moved, f"is of {WHEN}, and not of 2026-11-13T00:00:00Z any more", "run it again"),
 }
 """What goes wrong, what is said about it, and what the remedy names."""
 
 
 @pytest.mark.parametrize("name", FAULTS)
-def test_a_fault_is_one_sentence_with_its_remedy(name: str, ours: Row) -> None:
+def test_a_fault_is_one_sentence_with_its_remedy(name: str, ours: LocalDistribution) -> None:
     fault, problem, remedy = FAULTS[name]
     fault(ours)
-    done = ours.build()
-    assert done.code == 1, done.out + done.err
-    errors = [line for line in done.err.splitlines() if line.startswith("error: ")]
-    assert len(errors) == 1, done.out + done.err
-    said, _, advice = errors[0].rpartition("; ")
-    assert problem in said, errors[0]
-    assert remedy in advice, errors[0]
+    require_one_sentence(ours.build(), problem, remedy)

@@ -3,12 +3,9 @@ as they are; and who wants another release of what is there gets it whole."""
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
-from rosml.machine.services import Services
-from tests.e2e.images import Publish, build_on
+from tests.e2e.images import BuildOn
 
 FEW = "opencv-python tf-keras"
 ANY = "onnxruntime opencv-python pandas scikit-learn open3d"
@@ -33,23 +30,21 @@ CV_BRIDGE = "install-packages python3-cv-bridge"
         ),
     ],
 )
-def test_everyday_packages_leave_what_is_installed_as_it_is(
-    services: Services, published: Publish, tmp_path: Path, target: str, packages: str
-) -> None:
+def test_everyday_packages_leave_what_is_installed_as_it_is(build_on: BuildOn, target: str, packages: str) -> None:
     steps = [CV_BRIDGE, f"online /entrypoint.sh /everyday/check.py {packages}"]
-    said = build_on(services, published(target), tmp_path, steps, "everyday")
-    assert "everyday: done" in said
+    output = build_on(target, steps, "everyday")
+    assert "everyday: done" in output
 
 
-def test_another_release_for_who_says_so(services: Services, published: Publish, tmp_path: Path) -> None:
+def test_another_release_for_who_says_so(build_on: BuildOn) -> None:
     """By pip and by uv: refused as it stands, installed with the word, and TensorFlow still computes."""
     steps = ["online /everyday/unpinned.sh h5py 3.13.0 3.12.1", "python3 /everyday/computes.py tensorflow"]
-    said = build_on(services, published("ros1-bookworm-core-tensorflow-cpu"), tmp_path, steps, "everyday")
-    assert "unpinned: h5py 3.12.1" in said and "computes: tensorflow" in said
+    output = build_on("ros1-bookworm-core-tensorflow-cpu", steps, "everyday")
+    assert "unpinned: h5py 3.12.1" in output and "computes: tensorflow" in output
 
 
 @pytest.mark.full(proof="everyday")
-def test_another_tensorflow_is_whole(services: Services, published: Publish, tmp_path: Path) -> None:
+def test_another_tensorflow_is_whole(build_on: BuildOn) -> None:
     """The wheel for the CPU is called otherwise, and goes with the package that stands for it; C++ is told."""
     steps = [
         "online unpinned pip install tensorflow==2.19.1",
@@ -58,12 +53,12 @@ def test_another_tensorflow_is_whole(services: Services, published: Publish, tmp
         "! cmake -S /everyday/tensorflow -B /tmp/tensorflow >/tmp/said 2>&1",
         "grep -w replaced /tmp/said",
     ]
-    said = build_on(services, published("ros1-bookworm-core-tensorflow-cpu"), tmp_path, steps, "everyday")
-    assert "computes: tensorflow 2.19.1" in said
+    output = build_on("ros1-bookworm-core-tensorflow-cpu", steps, "everyday")
+    assert "computes: tensorflow 2.19.1" in output
 
 
 @pytest.mark.full(proof="everyday")
-def test_another_torch_is_whole(services: Services, published: Publish, tmp_path: Path) -> None:
+def test_another_torch_is_whole(build_on: BuildOn) -> None:
     """With the image's CUDA or another: its libraries are found, since torch is imported; our CMake package says that it was
     replaced."""
     steps = [
@@ -75,5 +70,5 @@ def test_another_torch_is_whole(services: Services, published: Publish, tmp_path
         "! cmake -S /everyday/torch -B /tmp/torch >/tmp/said 2>&1",
         "grep -w replaced /tmp/said",
     ]
-    said = build_on(services, published("ros1-bookworm-core-torch-cu128"), tmp_path, steps, "everyday")
-    assert "computes: torch 2.9.1" in said and "computes: torch 2.12.1" in said
+    output = build_on("ros1-bookworm-core-torch-cu128", steps, "everyday")
+    assert "computes: torch 2.9.1" in output and "computes: torch 2.12.1" in output

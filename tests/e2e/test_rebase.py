@@ -14,12 +14,11 @@ from rosml.images.builds import contents
 from rosml.images.builds.push import COMPRESSION
 from rosml.images.image_set import load
 from rosml.machine.services import Services
-from rosml.registry import references
 from rosml.registry.client import Registry
-from tests.e2e.conftest import NAMESPACE, Run, run
-from tests.e2e.images import Publish
-from tests.e2e.images import build as build_folder
-from tests.e2e.test_containerize import BASE, PACKAGE, RUNTIME, made
+from tests import regctl
+from tests.e2e.app_builds import BASE, RUNTIME, build_app, package
+from tests.e2e.calls import NAMESPACE, Run, run
+from tests.e2e.images import NATIVE, Publish, build_file, buildx
 
 DEBIAN = """Package: libgreet1
 Version: {0}
@@ -59,20 +58,21 @@ install(TARGETS greet DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
 """
 
 
-def base(
-    services: Services, compiler: str, below: str, name: str, folder: Path, version: str, greeting: str, vendor: int
+def push_base(
+    services: Services, stages: tuple[str, str], name: str, folder: Path, version: str, functions: tuple[str, int]
 ) -> str:
     """Pushes a base image with a package of a library, and a library without one, both in C; gives its name.
 
     Args:
-        compiler: an image with a compiler. below: the base image of this one. greeting: the function of the library. vendor: what the
-            other one returns.
+        stages: an image with a compiler, and the base image of this one.
+        functions: the name of the library's function, and what that of the other one returns.
     """
+    compiler, below = stages
+    greeting, number = functions
     folder.mkdir()
-    architecture = run("dpkg", "--print-architecture").out.strip()
-    (folder / "control").write_text(DEBIAN.format(version, architecture))
+    (folder / "control").write_text(DEBIAN.format(version, NATIVE))
     (folder / "greet.c").write_text(f'const char *{greeting}(void) {{ return "hello of {version} in {RUN}"; }}\n')
-    (folder / "vendor.c").write_text(f"int vendor(void) {{ return {vendor}; }}\n")
+    (folder / "vendor.c").write_text(f"int vendor(void) {{ return {number}; }}\n")
     (folder / "install.sh").write_text(LIBRARIES)
     (folder / "Dockerfile").write_text(
         f"""FROM {compiler} AS built
@@ -84,56 +84,45 @@ FROM {below}
 RUN --mount=type=bind,from=built,source=/in,target=/in /in/install.sh
 """
     )
-    place = f"{services.registry}/{NAMESPACE}/ros"
-    output = f"type=image,name={place}:{name},push=true,{COMPRESSION}"
-    command = [*services.buildx, "build", "--provenance=false", "--output", output, str(folder)]
-    outcome = run(*command, env=services.environment())
-    assert outcome.code == 0, outcome.err
+    repository = f"{NAMESPACE}/ros"
+    place = f"{services.registry}/{repository}:{name}"
+    buildx(services, "--provenance=false", "--output", f"type=image,name={place},push=true,{COMPRESSION}", str(folder))
     with Registry(services.registry) as registry:
-        repository = f"{NAMESPACE}/ros"
-        images = load.load(ROOT / "matrix.yaml")
-        contents.attach(services, images, registry, [(repository, registry.head(repository, name))], lambda _: None)
-    return f"{place}:{name}"
+        image = (repository, registry.head(repository, name))
+        contents.attach(services, load.load(ROOT / "matrix.yaml"), registry, [image], lambda _: None)
+    return place
 
 
 def rebased(app: str, *options: str) -> Run:
     return run(sys.executable, str(ROOT / "src"), "rebase", app, "--json", *options)
 
 
-def digest(services: Services, name: str) -> str:
-    where = references.parse(name)
-    with Registry(services.registry) as registry:
-        return registry.head(where.repository, where.reference)
-
-
 def test_an_app_moves_to_another_base_image(published: Publish, services: Services, tmp_path: Path) -> None:
     core, runtime = published(BASE).reference, published(RUNTIME).reference
 
-    def night(number: int, kinds: str, greeting: str, vendor: int, name: str = "night") -> str:
+    def night(number: int, greeting: str, vendor: int, name: str = "night", kinds: str = "run core") -> str:
         """Base images of a night, with compilers and without: their tags move. Gives the name of the last one."""
         for kind in kinds.split():
-            folder, below = tmp_path / f"{name}-{kind}-{number}", core if kind == "core" else runtime
-            found = base(services, core, below, f"{name}-{kind}", folder, f"1.{number}", greeting, vendor)
-        return found
+            folder, stages = tmp_path / f"{name}-{kind}-{number}", (core, core if kind == "core" else runtime)
+            image = push_base(services, stages, f"{name}-{kind}", folder, f"1.{number}", (greeting, vendor))
+        return image
 
-    folder, name = tmp_path / "robot", f"{NAMESPACE}/mover"
-    shutil.copytree(ROOT / "examples/ros1/src", folder / "src")
-    greeter = folder / "src/greeter"
-    greeter.mkdir()
-    (greeter / "package.xml").write_text(PACKAGE.format("greeter", ""))
-    (greeter / "CMakeLists.txt").write_text(CMAKE)
-    (greeter / "greet.c").write_text(NODE)
-    onto = night(0, "run core", "greeting", 1)
+    def digest(reference: str) -> str:
+        return regctl.digest(services, reference)
+
+    shutil.copytree(ROOT / "examples/ros1/src", tmp_path / "robot/src")
+    package(tmp_path / "robot/src/greeter", files={"CMakeLists.txt": CMAKE, "greet.c": NODE})
+    onto = night(0, "greeting", 1)
 
     def build(tag: str) -> dict[str, Any]:
-        options = ["--image-name", name, "--image-tag", tag, "--target", "run", "--no-tests", "--enable-slim"]
-        options += ["--command", "rosrun greeter greet", "--slim-base-image", onto.replace("-core", "-run")]
-        return made(folder, "--base-image", onto, *options)
+        options = {"image-name": f"{NAMESPACE}/mover", "image-tag": tag, "target": "run", "enable-slim": "true"}
+        options |= {"base-image": onto, "slim-base-image": onto.replace("-core", "-run")}
+        return build_app(tmp_path / "robot", options | {"command": "rosrun greeter greet"}, "--no-tests")
 
     first = build("first")
     run_image, slim_image = (first[target]["reference"] for target in ("run", "slim"))
-    before = digest(services, onto)
-    night(1, "run core", "greeting", 2)
+    before = digest(onto)
+    night(1, "greeting", 2)
 
     moved = {}
     for target, image in (("run", run_image), ("slim", slim_image)):
@@ -142,22 +131,21 @@ def test_an_app_moves_to_another_base_image(published: Publish, services: Servic
         moved[target] = json.loads(done.out)
         assert moved[target]["verdict"] == "check by link" and moved[target]["linked"], done.err
         assert "check by link: libvendor.so changed" in done.err, "the other one has a name that says enough"
-        assert digest(services, f"{image}-moved") == moved[target]["digest"]
-    (tmp_path / "chk").mkdir()
-    (tmp_path / "chk/Dockerfile").write_text(
+        assert digest(f"{image}-moved") == moved[target]["digest"]
+    build_file(
+        services,
+        tmp_path / "chk",
         "".join(
             f"FROM {moved[target]['reference']} AS {target}\n"
             f"RUN /entrypoint.sh bash -c \"$DEFAULT_CMD\" | grep 'hello of 1.1 in {RUN} 2' && /entrypoint.sh rospack find compass\n"
             for target in moved
         )
-        + "FROM scratch\nCOPY --from=run /tini /1\nCOPY --from=slim /tini /2\n"
+        + "FROM scratch\nCOPY --from=run /tini /1\nCOPY --from=slim /tini /2\n",
     )
-    build_folder(services, tmp_path / "chk")
 
-    gone = night(2, "core", "salute", 2, "gone")
-    refused = rebased(run_image, "--base", gone)
+    refused = rebased(run_image, "--base", night(2, "salute", 2, "gone", "core"))
     assert refused.code == 2 and "uses greeting, which no library of the base image has any more" in refused.err
-    assert digest(services, run_image) == first["run"]["digest"], "the tag stays"
+    assert digest(run_image) == first["run"]["digest"], "the tag stays"
 
     again = build("again")
     for target in moved:
@@ -168,4 +156,4 @@ def test_an_app_moves_to_another_base_image(published: Publish, services: Servic
     back = rebased(f"{run_image}-moved", "--base", f"{onto.rpartition(':')[0]}@{before}")
     assert back.code == 0 and json.loads(back.out)["base_digest"] == before, back.err
     tested = rebased(run_image, "--check", "run", "--command", "rosrun greeter greet | grep 'hello of 1.0'")
-    assert tested.code == 1 and digest(services, run_image) == first["run"]["digest"], "it failed, and the tag stays"
+    assert tested.code == 1 and digest(run_image) == first["run"]["digest"], "it failed, and the tag stays"

@@ -14,8 +14,8 @@ from rosml import ROOT
 from rosml.images.builds import apt_sources
 from rosml.images.builds.push import COMPRESSION
 from rosml.machine.services import Services
-from tests.e2e.conftest import NAMESPACE, run
-from tests.e2e.images import NATIVE, build, ca_secret, context
+from tests.e2e.calls import NAMESPACE
+from tests.e2e.images import NATIVE, SOURCES, build, buildx, context
 
 pytestmark = pytest.mark.full(proof="relatives")
 
@@ -55,43 +55,37 @@ def with_older_pip(services: Services, folder: Path, reference: str) -> str:
     context(reference, folder, steps)
     (folder / "Dockerfile").write_text((folder / "Dockerfile").read_text().replace("\nRUN", "\nCOPY pip /pip\nRUN", 1))
     name = f"{services.registry}/{NAMESPACE}/relative:older-pip"
-    output = f"type=image,push=true,name={name},{COMPRESSION}"
-    done = run(
-        *services.buildx, "build", "--output", output, *ca_secret(services), str(folder), env=services.environment()
-    )
-    assert done.code == 0, done.err
+    buildx(services, "--output", f"type=image,push=true,name={name},{COMPRESSION}", str(folder))
     return name
 
 
-def told(services: Services, folder: Path, base: str, suite: str, python: str) -> str:
-    """Builds the base layer on a release and checks it; what the builder said.
+def holds(services: Services, folder: Path, base: str, suite: str, python: str) -> None:
+    """Builds the base layer on a release and checks it.
 
     Raises:
         AssertionError: the build or a check failed, with what was said.
     """
     reference = f"{services.registry}/{NAMESPACE}/relative:{suite}"
-    command = [*services.buildx, "build", "--progress", "plain", "--target", "base", "--build-arg", "NUMPY=<3"]
-    command += ["--build-arg", f"SOURCE_DATE_EPOCH={debian.EPOCH}", *ca_secret(services)]
-    command += ["--build-context", f"os=docker-image://{base}"]
-    command += ["--output", f"type=image,push=true,name={reference},{COMPRESSION}"]
-    done = run(*command, str(ROOT), env=services.environment())
-    assert done.code == 0, done.err
-    shutil.copytree(Path(__file__).parent / "relatives", folder, dirs_exist_ok=True)
+    options = ["--target", "base", "--build-arg", "NUMPY=<3", "--build-arg", f"SOURCE_DATE_EPOCH={debian.EPOCH}"]
+    options += ["--build-context", f"os=docker-image://{base}"]
+    options += ["--output", f"type=image,push=true,name={reference},{COMPRESSION}"]
+    buildx(services, *options, str(ROOT))
+    shutil.copytree(SOURCES / "relatives", folder, dirs_exist_ok=True)
     shutil.copytree(ROOT / "tests/structure/checks", folder / "checks")
-    return build(services, folder, "--build-arg", f"BASE={reference}", "--build-arg", f"PYTHON={python}")
+    output = build(services, folder, "--build-arg", f"BASE={reference}", "--build-arg", f"PYTHON={python}")
+    assert "relative: holds" in output
 
 
 def test_ubuntu_20(services: Services, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Its own pip installs what contradicts the constraints, and only warns."""
     release_alone(monkeypatch, "bullseye")
     base = with_older_pip(services, tmp_path / "older", base_image(services, "bullseye"))
-    assert "relative: holds" in told(services, tmp_path / "relative", base, "bullseye", "3.9")
+    holds(services, tmp_path / "relative", base, "bullseye", "3.9")
 
 
 def test_ubuntu_26(services: Services, tmp_path: Path) -> None:
     """What moves every day may fail any day: it warns of what comes."""
     try:
-        base = base_image(services, "sid")
-        assert "relative: holds" in told(services, tmp_path / "relative", base, "sid", "3.14")
+        holds(services, tmp_path / "relative", base_image(services, "sid"), "sid", "3.14")
     except AssertionError as error:
         warnings.warn(f"Debian sid: {str(error)[-3000:]}", stacklevel=1)

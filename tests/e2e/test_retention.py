@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import json
 import shutil
-import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,7 +18,6 @@ import pytest
 
 from rosml import ROOT
 from rosml.images.builds import contents
-from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import Image
 from rosml.images.publish.state import Request
@@ -34,19 +32,14 @@ from rosml.registry.client import Registry
 from tests import regctl
 from tests.e2e import mini as minis
 from tests.e2e import secure
-from tests.e2e.conftest import Run, run
+from tests.e2e.calls import Run, run, succeeds
+from tests.e2e.images import NATIVE
 from tests.e2e.mini import Mini
 from tests.e2e.parts import CREATED, Tiny
 from tests.registry_calls import CALLS
 
 ONLY = ("--only", "ros1-bookworm-core", "--only", "ros1-bookworm-base")
 NIGHTS = tuple((datetime.now(UTC) - timedelta(days=number)).strftime("%Y-%m-%dT03:00:00Z") for number in (4, 3, 2))
-HERE = native_architecture()
-
-
-@pytest.fixture(scope="module")
-def project(services: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
-    return minis.make(tmp_path_factory.mktemp("mini"), services)
 
 
 @contextmanager
@@ -60,21 +53,21 @@ def night(mini: Mini, date: str) -> None:
     """What builders and tests leave in a night: other ROS images than before, whose tests passed; then their tags move."""
     place = mini.place()
     client, book = place.client, Records(place)
-    request = Request(Services.load(mini.folder), mini.image_set, place, date, tuple(ONLY[1::2]), (HERE,))
+    request = Request(Services.load(mini.folder), mini.image_set, place, date, tuple(ONLY[1::2]), (NATIVE,))
     state = survey(request)
     assert {item.target for item in state.items} == set(ONLY[1::2])
     for item in state.items:
         image = item.thing
         assert isinstance(image, Image)
-        said = labels.about_image(labels.ImageKind(image.distribution, image.component, "1"), [])
-        said |= {f"org.opencontainers.image.{name}": text for name, text in FACTS.items()}
+        texts = labels.about_image(labels.ImageKind(image.distribution, image.component, "1"), [])
+        texts |= {f"org.opencontainers.image.{name}": text for name, text in FACTS.items()}
         path = book.place.path(item.repository)
-        digest, size = Tiny(said, salt=date).put_manifest(client, path, f"linux/{HERE}")
+        digest, size = Tiny(texts, salt=date).put_manifest(client, path, f"linux/{NATIVE}")
         subject = {"mediaType": oci.IMAGE, "digest": digest, "size": size}
         described = client.attach(path, subject, sbom.MEDIA_TYPE, SBOM, sbom.MEDIA_TYPE, sbom.FORMAT)
         facts = {"inputs": state.inputs.digest(*item.key), "repository": item.repository, "size": size, "date": date}
         facts |= {"sbom": described, "described": contents.FORMAT}
-        facts |= {"parts": {target: state.entries[target, HERE].digest for target in item.needs}, "changed": date}
+        facts |= {"parts": {target: state.entries[target, NATIVE].digest for target in item.needs}, "changed": date}
         facts |= {
             "package_state": state.package_state.get(image.distribution, ""),
             "tested": state.tests.digest(item, state.tests.to_run(item)),
@@ -84,7 +77,7 @@ def night(mini: Mini, date: str) -> None:
         state.entries[item.key] = before.with_digest(digest, **facts)
         book.write(state.entries[item.key], state.inputs.of(*item.key))
     for step in ("index", "promote"):
-        done = mini.publish(step, *ONLY, "--serve", HERE, "--date", date, "--json")
+        done = mini.publish(step, *ONLY, "--serve", NATIVE, "--date", date, "--json")
         assert done.code == 0 and '"waits"' not in done.out, done.out + done.err
 
 
@@ -102,10 +95,7 @@ def pull(mini: Mini, folder: Path) -> int:
     """Pulls what every tag points at, with regctl, whole; gives how many there are."""
     tags = mini.tags()
     for number, tag in enumerate(tags):
-        reference, target = f"{mini.registry}/{tag}", f"ocidir://{folder}/{number}:one"
-        host = f"reg={mini.services.registry},tls=disabled"
-        done = run(regctl.program(mini.services), "--host", host, "image", "copy", reference, target)
-        assert done.code == 0, f"{tag}: {done.err}"
+        regctl.regctl(mini.services, "image", "copy", f"{mini.registry}/{tag}", f"ocidir://{folder}/{number}:one")
     return len(tags)
 
 
@@ -142,9 +132,9 @@ def test_a_registry_that_refuses_to_delete(project: Mini, tmp_path: Path) -> Non
         assert {tag: back[tag] for tag in first} == first
         mini.check()
         again = called(elsewhere, mini, "undo", NIGHTS[1], "--json")
-        left = {item["target"]: item for item in json.loads(again.out)["outcomes"]}
+        outcomes = {item["target"]: item for item in json.loads(again.out)["outcomes"]}
         for tag in back.keys() - first.keys():  # dated tags that the registry keeps are named, with what to do
-            assert left[tag]["state"] == "failed" and "delete with its own tools" in left[tag]["reason"]
+            assert outcomes[tag]["state"] == "failed" and "delete with its own tools" in outcomes[tag]["reason"]
 
         night(mini, NIGHTS[2])
         kept, entries = mini.tags(), len(records(mini))
@@ -152,9 +142,9 @@ def test_a_registry_that_refuses_to_delete(project: Mini, tmp_path: Path) -> Non
         assert dry.code == 0 and "nothing was removed" in dry.out, dry.err
         pruned = called(elsewhere, mini, "prune", "--days", "0", "--newest", "0", "--apply")
         assert pruned.code == 1
-        said = " ".join(pruned.err.split())
-        assert "deletes nothing" in said and "could go, and stay" in said and "manifest" in said
-        assert "remedy: ask its operator to allow it, or delete with its own tools" in said and "ghcr.io" in said
+        message = " ".join(pruned.err.split())
+        assert "deletes nothing" in message and "could go, and stay" in message and "manifest" in message
+        assert "remedy: ask its operator to allow it, or delete with its own tools" in message and "ghcr.io" in message
         now = mini.tags()
         assert now.items() <= kept.items() and {tag for tag in kept if not tag[-8:].isdigit()} <= now.keys()
         assert len(records(mini)) == entries
@@ -180,17 +170,11 @@ def test_every_kept_tag_pulls_after_pruning(project: Mini, tmp_path: Path) -> No
         mini.check()
         again = json.loads(called(elsewhere, mini, "prune", "--days", "0", "--newest", "1", "--json").out)
         assert (again["tags"], again["manifests"], again["records"]) == ([], [], [])
-        collected = subprocess.run(
-            [str(ROOT / ".state/bin/registry"), "garbage-collect", str(tmp_path / "registry/config.json")],
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert collected.returncode == 0, collected.stderr
+        succeeds(str(ROOT / ".state/bin/registry"), "garbage-collect", str(tmp_path / "registry/config.json"))
         assert stored(tmp_path) < whole
         mini.check()
         assert pull(mini, tmp_path / "pulled") == len(mini.tags()) >= 4
-        plan = json.loads(mini.publish("plan", *ONLY, "--serve", HERE, "--json").out)
+        plan = mini.says("plan", *ONLY, "--serve", NATIVE)
         assert not [task for task in plan["tasks"] if task["steps"]], "pruning took what the next run needs"
 
 
@@ -202,8 +186,8 @@ def stored(folder: Path) -> int:
 @pytest.fixture(scope="module")
 def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Registry]:
     folder = tmp_path_factory.mktemp("calls") / "registry"
-    with secure.plain(folder, deletes=True) as address, Registry(address) as found:
-        yield found
+    with secure.plain(folder, deletes=True) as address, Registry(address) as registry:
+        yield registry
 
 
 @pytest.mark.parametrize("name", CALLS)

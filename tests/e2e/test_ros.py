@@ -10,14 +10,13 @@ import pytest
 
 from offline import debian
 from rosml import ROOT
-from rosml.images.builds import base_images, push, structure_tests
+from rosml.images.builds import push, structure_tests
 from rosml.images.builds.variables import sync_dates, variables
 from rosml.images.image_set.model import ImageSet
 from rosml.machine import buildx
 from rosml.machine.services import Services
-from tests import regctl
-from tests.e2e.conftest import NAMESPACE
-from tests.e2e.images import NATIVE, Publish, build, build_on
+from tests.e2e.calls import NAMESPACE
+from tests.e2e.images import NATIVE, BuildOn, Publish, build, layers
 
 
 @pytest.mark.full(proof="rebuild")
@@ -28,19 +27,17 @@ def test_the_same_packages_give_the_same_layers(
     """Another build without any cache: every layer of every component, from the base image on."""
     image = published(target)
     prefix = f"{services.registry}/{NAMESPACE}"
-    given = variables(services, image_set, image.image, NATIVE, prefix)
-    given |= sync_dates(services, image_set, image.image.distribution, print)
+    values = variables(services, image_set, image.image, NATIVE, prefix)
+    values |= sync_dates(services, image_set, image.image.distribution, print)
     bake_file = push.write_excerpt(services, image_set, target)
-    call = buildx.Bake(target, f"again-{target}", bake_file, (f"{target}.tags=", "*.no-cache=true"), given)
+    call = buildx.Bake(target, f"again-{target}", bake_file, (f"{target}.tags=", "*.no-cache=true"), values)
     repository = f"{prefix}/again"
-    manifest = push.push(services, push.pushing(call, repository))
-    assert [layer.digest for layer in regctl.layers(services, f"{repository}@{manifest}")] == image.layers
+    _, manifest = push.push_by_digest(services, call, repository)
+    assert layers(services, f"{repository}@{manifest}") == image.layers
     assert manifest == image.result["manifest"]
 
 
-def test_one_more_package_from_the_images_own_apt_source(
-    services: Services, published: Publish, tmp_path: Path
-) -> None:
+def test_one_more_package_from_the_images_own_apt_source(build_on: BuildOn) -> None:
     """And it works with what is there: a transform is published and heard."""
     talk = (
         "timeout 120 /entrypoint.sh bash -c 'roscore >/dev/null 2>&1 & "
@@ -48,18 +45,18 @@ def test_one_more_package_from_the_images_own_apt_source(
         "rosrun tf2_ros static_transform_publisher 1 2 3 0 0 0 1 base camera >/dev/null 2>&1 & "
         "timeout 60 rostopic echo -n 1 /tf_static'"
     )
-    said = build_on(services, published("ros1-bookworm-core"), tmp_path, ["install-packages tf2-tools", talk])
-    assert 'child_frame_id: "camera"' in said
+    output = build_on("ros1-bookworm-core", ["install-packages tf2-tools", talk])
+    assert 'child_frame_id: "camera"' in output
 
 
 @pytest.mark.full(proof="desktop")
 @pytest.mark.parametrize("target", ["ros1-bookworm-desktop", "ros1-trixie-desktop"])
-def test_windows_open(services: Services, published: Publish, tmp_path: Path, target: str) -> None:
+def test_windows_open(build_on: BuildOn, target: str) -> None:
     """rviz and a program of Qt's on a virtual display, which no image has: the structure tests have no network."""
     steps = ["install-packages xvfb x11-utils", "timeout --kill-after=10 400 /entrypoint.sh /desktop/run.sh"]
-    said = build_on(services, published(target), tmp_path, steps, "desktop")
-    windows = re.findall('window: "(.*)":', said)
-    assert "RViz" in windows[0] and len(windows) > 1, said
+    output = build_on(target, steps, "desktop")
+    windows = re.findall('window: "(.*)":', output)
+    assert "RViz" in windows[0] and len(windows) > 1, output
 
 
 def test_a_containerizers_flow(services: Services, published: Publish, tmp_path: Path) -> None:
@@ -75,8 +72,8 @@ def test_a_containerizers_flow(services: Services, published: Publish, tmp_path:
     (sources / "20-default.list").write_text("yaml file:///rosdep/base.yaml\n")
     (tmp_path / "rosdep/base.yaml").write_text("a-key-of-ours:\n  debian: [python3-tabulate]\n")
     (tmp_path / "rosdep/index.yaml").write_text("%YAML 1.1\n---\ndistributions: {}\ntype: index\nversion: 4\n")
-    said = build(services, tmp_path, "--build-arg", f"BASE_IMAGE={image.result['reference']}")
-    assert "score: python" in said and "score: c++" in said
+    output = build(services, tmp_path, "--build-arg", f"BASE_IMAGE={image.result['reference']}")
+    assert "score: python" in output and "score: c++" in output
 
 
 @pytest.mark.full(proof="wheels")
@@ -95,10 +92,8 @@ def test_a_base_image_is_the_same_wherever_it_is_made(services: Services, tmp_pa
     suite = "bookworm"
     closed = tmp_path / "closed"
     closed.mkdir(mode=0o700)
-    architecture = base_images.native_architecture()
-    elsewhere = debian.make(services, suite, architecture, closed / "made", tag="elsewhere")
+    elsewhere = debian.make(services, suite, NATIVE, closed / "made", tag="elsewhere")
     place = f"{services.registry}/library/debian"
-    here = debian.find(services, suite, architecture)
+    here = debian.find(services, suite, NATIVE)
     assert here, "the tests before have made it"
-    made, known = (regctl.layers(services, f"{place}@{digest}") for digest in (elsewhere, here))
-    assert [layer.digest for layer in made] == [layer.digest for layer in known]
+    assert layers(services, f"{place}@{elsewhere}") == layers(services, f"{place}@{here}")

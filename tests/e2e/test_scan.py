@@ -7,7 +7,7 @@ registry as the real one is from its own. What is not verified so: the real data
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
@@ -24,8 +24,8 @@ from rosml.images.scan.judge import Outcome, Part
 from rosml.images.scan.trivy import Database, Result, ScannerFailed, Trivy
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
-from tests.e2e.conftest import LOG, NAMESPACE, Published
-from tests.e2e.mini import NATIVE
+from tests.e2e.calls import LOG, NAMESPACE
+from tests.e2e.images import NATIVE, Publish
 from tests.e2e.vulnerabilities import UPDATED, installed, put, put_database, rules_with, write_database
 
 pytestmark = pytest.mark.full(proof="scanner")
@@ -65,7 +65,7 @@ class Joined:
 
 
 @pytest.fixture(scope="module")
-def joined(services: Services, image_set: ImageSet, registry: Any, published: Callable[[str], Published]) -> Joined:
+def joined(services: Services, image_set: ImageSet, registry: Any, published: Publish) -> Joined:
     ros = published("ros1-bookworm-core")
     item = building.by_name(image_set, "common-cu128-py311")
     builder = building.PartBuilder(services, image_set, f"{services.registry}/{NAMESPACE}", LOG.info)

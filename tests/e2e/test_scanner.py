@@ -20,8 +20,8 @@ from rosml.machine.services import Services
 from rosml.registry import oci
 from rosml.registry.client import Registry
 from tests.e2e import secure
-from tests.e2e.conftest import LOG
-from tests.e2e.mini import NATIVE
+from tests.e2e.calls import LOG
+from tests.e2e.images import NATIVE
 from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
 from tests.e2e.vulnerabilities import installed, put, put_database, rules_with
 

@@ -21,9 +21,11 @@ from rosml.registry.client import Registry
 from rosml.registry.place import Place
 from tests.e2e import mini as minis
 from tests.e2e import secure
+from tests.e2e.app_builds import write
 from tests.e2e.builders import builder
-from tests.e2e.conftest import Run, run
-from tests.e2e.mini import NATIVE, NOTHING, Mini
+from tests.e2e.calls import Run, rosml, run
+from tests.e2e.images import NATIVE
+from tests.e2e.mini import NOTHING, Mini, use
 from tests.e2e.secure import NAME, PASSWORD, Secure, encoded
 
 pytestmark = pytest.mark.usefixtures("own_builders")
@@ -59,14 +61,6 @@ class Company(Mini):
         (self.docker / "config.json").write_text(json.dumps(config))
 
 
-def trusting(folder: Path, services: Services, name: str) -> Services:
-    """Another machine: the builder of a name."""
-    state = folder / ".state"
-    facts = json.loads((state / "services.json").read_text())
-    (state / "services.json").write_text(json.dumps(facts | {"builder": name, "builder_kind": "user"}))
-    return Services.load(folder)
-
-
 @pytest.fixture(scope="module")
 def environment(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """Docker's configuration folder, of these tests alone."""
@@ -82,20 +76,20 @@ def environment(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 @pytest.fixture(scope="module")
 def registry(environment: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Secure]:
     """One that asks for the password itself."""
-    with secure.registry(tmp_path_factory.mktemp("secure") / "registry") as found:
-        found.docker_config(environment, {})
-        yield found
+    with secure.registry(tmp_path_factory.mktemp("secure") / "registry") as secured:
+        secured.docker_config(environment, {})
+        yield secured
 
 
 @pytest.fixture(scope="module")
 def issuing(registry: Secure, environment: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Secure]:
     """One that wants tokens; there is a user who may only read."""
     users = {NAME: "pull,push,delete", "reader": "pull"}
-    with secure.registry(tmp_path_factory.mktemp("issuing") / "registry", users=users) as found:
-        place = environment / "certs.d" / found.host
+    with secure.registry(tmp_path_factory.mktemp("issuing") / "registry", users=users) as secured:
+        place = environment / "certs.d" / secured.host
         place.mkdir()
-        found.authority.cert_pem.write_to_path(str(place / "ca.crt"))
-        yield found
+        secured.authority.cert_pem.write_to_path(str(place / "ca.crt"))
+        yield secured
 
 
 @pytest.fixture(scope="module")
@@ -109,9 +103,9 @@ def project(
     assert set(trusted) == {registry.host, issuing.host}
     with builder(name, folder / "builder", services, certificates=trusted):
         (folder / "project").mkdir()
-        found = minis.make(folder / "project", services)
-        told = trusting(found.folder, services, name)
-        yield Company(found.folder, told, found.prefix, registry, environment)
+        mini = minis.make(folder / "project", services)
+        trusting = use(mini.folder, builder=name, builder_kind="user")
+        yield Company(mini.folder, trusting, mini.prefix, registry, environment)
 
 
 @pytest.fixture
@@ -164,35 +158,26 @@ def test_everything(company: Company, tmp_path: Path) -> None:
     assert company.tags()["ros:ros1-bookworm-core"] == tags["ros:ros1-bookworm-core"]
     pruned = company.publish("prune", "--days", "0", "--newest", "0", "--apply")
     assert pruned.code == 0, pruned.err
-    program, mine = str(company.folder / "src"), f"{company.registry}/mine:latest"
-    parts = [f"{company.registry}/part:{name}-cpu" for name in ("common", "grpc", "tensorflow-cc", "tensorflow")]
-    parts = [part if part.endswith("cc-cpu") else f"{part}-py311" for part in parts]
+    mine = f"{company.registry}/mine:latest"
+    parts = [f"{company.registry}/part:{name}" for name in minis.PARTS]
     ros = f"{company.registry}/ros:ros1-bookworm-core"
-    joined = run(sys.executable, program, "join", ros, *parts, "--tag", mine, "--json")
-    assert joined.code == 0, joined.err
+    joined = rosml("join", ros, *parts, "--tag", mine, "--json", root=company.folder)
     assert company.client().head(f"{company.prefix}/mine", "latest") == json.loads(joined.out)["digest"]
     nothing_secret(company, first, status, second, undone, pruned, joined)
 
 
-def test_a_credential_helper(company: Company, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    helper = tmp_path / "docker-credential-local replacement"
-    helper.write_text(HELPER)
-    helper.chmod(0o755)
-    secret = {"ServerURL": company.secure.host, "Username": NAME, "Secret": PASSWORD}
-    (tmp_path / f"{helper.name}.secret").write_text(json.dumps(secret))
-    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
-    company.login(credHelpers={company.secure.host: "local replacement"})
-    outcome = company.publish("all", "--only", "ros1-bookworm-core", "--serve", NATIVE)
-    assert outcome.code == 0, outcome.err
-    assert "ros:ros1-bookworm-core" in company.tags()
-    nothing_secret(company, outcome)
-
-
-def test_the_environment(company: Company, monkeypatch: pytest.MonkeyPatch) -> None:
-    """It counts more than the config file."""
-    company.login(auths={company.secure.host: {"auth": encoded(NAME, "wrong-" + PASSWORD)}})
-    right = {"auths": {company.secure.host: {"auth": encoded(NAME, PASSWORD)}}}
-    monkeypatch.setenv("DOCKER_AUTH_CONFIG", json.dumps(right))
+@pytest.mark.parametrize("way", ["a credential helper", "the environment"])
+def test_another_way_to_log_in(way: str, company: Company, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The environment counts more than the config file."""
+    host = company.secure.host
+    if way == "the environment":
+        company.login(auths={host: {"auth": encoded(NAME, "wrong-" + PASSWORD)}})
+        monkeypatch.setenv("DOCKER_AUTH_CONFIG", json.dumps({"auths": {host: {"auth": encoded(NAME, PASSWORD)}}}))
+    else:
+        secret = json.dumps({"ServerURL": host, "Username": NAME, "Secret": PASSWORD})
+        write(tmp_path, {"docker-credential-local": HELPER, "docker-credential-local.secret": secret})
+        monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+        company.login(credHelpers={host: "local"})
     outcome = company.publish("all", "--only", "ros1-bookworm-core", "--serve", NATIVE)
     assert outcome.code == 0, outcome.err
     assert "ros:ros1-bookworm-core" in company.tags()
@@ -237,25 +222,27 @@ def test_a_user_who_may_only_read_is_told_before_anything_is_built(company: Comp
 def test_a_certificate_that_is_not_trusted(
     company: Company, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, why: str
 ) -> None:
-    with secure.registry(tmp_path / "registry", expired=why == "expired") as found:
-        login = {"auths": {found.host: {"auth": encoded(NAME, PASSWORD)}}}
-        found.docker_config(tmp_path / "docker", login, trust=why == "expired")
-        if found.host.startswith("127."):
+    with secure.registry(tmp_path / "registry", expired=why == "expired") as secured:
+        host = secured.host
+        login = {"auths": {host: {"auth": encoded(NAME, PASSWORD)}}}
+        secured.docker_config(tmp_path / "docker", login, trust=why == "expired")
+        if host.startswith("127."):
             pytest.skip("this machine has only a loopback address, where a registry without certs.d speaks plain http")
         monkeypatch.setenv("DOCKER_CONFIG", str(tmp_path / "docker"))
-        company.secure = found
-        says = f"{found.host}: its certificate is not trusted: "
+        company.secure = secured
+        says = f"{host}: its certificate is not trusted: "
         if why == "expired":
             says = f"{says}certificate has expired\nremedy: its operator has to renew it"
         outcome = company.publish("all", *ONLY)
         refused(outcome, says)
-        assert why == "expired" or f"{tmp_path}/docker/certs.d/{found.host}/ca.crt" in outcome.err
-        program, target = str(company.folder / "src"), f"{found.host}/a:b"
-        joined = run(sys.executable, program, "join", target, f"{found.host}/c:d", "--tag", f"{found.host}/e:f")
+        assert why == "expired" or f"{tmp_path}/docker/certs.d/{host}/ca.crt" in outcome.err
+        program, target = str(company.folder / "src"), f"{host}/a:b"
+        joined = run(sys.executable, program, "join", target, f"{host}/c:d", "--tag", f"{host}/e:f")
         refused(joined, says)
-        assert found.repositories == []
+        assert secured.repositories == []
         nothing_secret(company, outcome, joined)
-        assert "Authorization" not in found.log.read_text() and "PUT" not in found.log.read_text()
+        log = secured.log.read_text()
+        assert "Authorization" not in log and "PUT" not in log
 
 
 def test_a_bundle_for_everything(
@@ -274,9 +261,7 @@ def test_a_bundle_for_everything(
     shutil.copytree(company.folder, machine, symlinks=True)
     (machine / "components/part/install-assembler.sh").write_text(NOTHING)  # nothing is tested
     name = f"bundle-{os.getpid()}"
-    told = {"builder": name, "builder_kind": "user", "ca_bundle": str(bundle)}
-    facts = json.loads((machine / ".state/services.json").read_text())
-    (machine / ".state/services.json").write_text(json.dumps(facts | told))
+    use(machine, builder=name, builder_kind="user", ca_bundle=str(bundle))
     company.folder = machine
     with builder(name, tmp_path / name, services, env={"SSL_CERT_FILE": str(bundle)}):
         outcome = company.publish("build", "--only", "ros1-bookworm-core", "--json")
@@ -293,9 +278,7 @@ def test_a_builder_that_was_not_told(company: Company, services: Services, tmp_p
     """Between the certificate's arrival and `rosml setup`."""
     machine = tmp_path / "machine"
     shutil.copytree(company.folder, machine, symlinks=True)
-    facts = json.loads((machine / ".state/services.json").read_text())
-    told = {"builder": services.builder, "builder_kind": services.builder_kind}
-    (machine / ".state/services.json").write_text(json.dumps(facts | told))
+    use(machine, builder=services.builder, builder_kind=services.builder_kind)
     company.folder = machine
     outcome = company.publish("build", "--only", "ros1-bookworm-core")
     assert outcome.code == 1

@@ -24,5 +24,5 @@ def test_wheels_of_all_pythons_agree(services: Services, monkeypatch: pytest.Mon
     texts = {path: (ROOT / path).read_text(encoding="utf-8") for path in locked.locks(ROOT)}
     image_set = load.load(ROOT / "matrix.yaml", ROOT)
     with web.client(timeout=60) as client:
-        found = shared_files.differences(image_set, ROOT, Index(Uv(services.uv), client), texts)
-    assert [str(difference) for difference in found] == []
+        differences = shared_files.differences(image_set, ROOT, Index(Uv(services.uv), client), texts)
+    assert [str(difference) for difference in differences] == []

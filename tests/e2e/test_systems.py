@@ -12,7 +12,7 @@ import pytest
 
 from rosml.machine.services import Services
 from tests import regctl
-from tests.e2e.conftest import publish
+from tests.e2e.calls import publish
 from tests.e2e.images import Publish
 
 pytestmark = [pytest.mark.full(proof="systems"), pytest.mark.timeout(7200)]

@@ -10,32 +10,15 @@ import pytest
 
 from rosml.images.image_set.model import ImageSet
 from rosml.machine.services import Services
-from tests import regctl
-from tests.e2e.conftest import NAMESPACE
-from tests.e2e.images import Publish, build, push_part
-
-
-@pytest.mark.parametrize(
-    "target",
-    [
-        "ros1-bookworm-core-tensorflow-cpu",
-        pytest.param("ros1-trixie-core-tensorflow-cpu", marks=pytest.mark.full(proof="systems")),
-    ],
-)
-def test_tensorflow_without_cuda(services: Services, published: Publish, target: str) -> None:
-    image = published(target)
-    assert image.result["failed"] == 0
-    assert image.image.budget
-    parts = regctl.layers(services, image.reference)[-len(image.image.parts) :]
-    assert sum(layer.size for layer in parts) <= image.image.budget * 1_000_000
+from tests.e2e.calls import NAMESPACE
+from tests.e2e.images import Publish, build_file, push_part
 
 
 @pytest.mark.full(proof="systems")
 def test_the_cplusplus_part_of_tensorflow_is_the_same_for_every_python(published: Publish) -> None:
     older, newer = published("ros1-bookworm-core-tensorflow-cpu"), published("ros1-trixie-core-tensorflow-cpu")
-    layers = [image.layers[-len(image.image.parts) :] for image in (older, newer)]
     shared = older.image.parts.index("tensorflow-cc-cpu")
-    assert [one == other for one, other in zip(*layers, strict=True)] == [
+    assert [one == other for one, other in zip(older.part_layers, newer.part_layers, strict=True)] == [
         index == shared for index in range(len(older.image.parts))
     ]
 
@@ -48,15 +31,13 @@ def test_a_part_for_arm64_is_assembled_without_emulation(
     image = published("ros1-bookworm-core-tensorflow-cpu")
     part = image_set.part_by_name["torch-cpu-py311"]
     push_part(services, image, part, variables={"PLATFORM": "linux/arm64"})
-    (tmp_path / "Dockerfile").write_text(
-        textwrap.dedent(f"""\
+    dockerfile = textwrap.dedent(f"""\
             FROM --platform=linux/arm64 {services.registry}/{NAMESPACE}/part:{part.name} AS part
             FROM --platform=$BUILDPLATFORM {image.result["reference"]}
             COPY --from=part / /arm64/
             COPY look.sh /
             RUN bash /look.sh
         """)
-    )
     (tmp_path / "look.sh").write_text(
         textwrap.dedent("""\
             set -euo pipefail
@@ -70,7 +51,7 @@ def test_a_part_for_arm64_is_assembled_without_emulation(
             test -f /arm64/usr/local/lib/python3.11/dist-packages/torch/__pycache__/__init__.cpython-311.pyc
         """)
     )
-    build(services, tmp_path)
+    build_file(services, tmp_path, dockerfile)
 
 
 @pytest.mark.parametrize(
@@ -87,7 +68,7 @@ def test_a_part_assembled_again_elsewhere_has_the_same_digest(
     """Without any cache, in another folder: the same lock gives the same layer."""
     image = published("ros1-bookworm-core-tensorflow-cpu")
     elsewhere = replace(services, root=checkout)
-    layers = dict(zip(image.image.parts, image.layers[-len(image.image.parts) :], strict=True))
+    layers = dict(zip(image.image.parts, image.part_layers, strict=True))
     for name in parts:
         again = push_part(elsewhere, image, image_set.part_by_name[name], "*.no-cache=true")
         assert again == [layers[name]], name

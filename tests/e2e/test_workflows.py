@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import copy
 import json
-import os
 import re
 import shlex
 import shutil
@@ -13,7 +12,6 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -23,13 +21,13 @@ import yaml
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
-from rosml.images.image_set.model import ImageSet
 from rosml.images.records.store import Records
 from rosml.machine.services import Services
 from tests.act import ENDS, Played, play, workflow
 from tests.e2e import mini as minis
-from tests.e2e.conftest import LOG
-from tests.e2e.mini import NATIVE, Mini
+from tests.e2e.calls import LOG, rosml
+from tests.e2e.images import NATIVE
+from tests.e2e.mini import Mini
 from tests.e2e.moody import moody
 
 SCANNER = """\
@@ -56,17 +54,16 @@ else:
 
 
 @pytest.fixture(scope="module")
-def project(beside: Services, tmp_path_factory: pytest.TempPathFactory) -> Mini:
-    """The small project with a scanner and a policy, in a git repository."""
-    mini = minis.make(tmp_path_factory.mktemp("mini"), beside)
+def project(project: Mini) -> Mini:
+    """The small project with a scanner and a policy, as a repository of git has it."""
     policy = (ROOT / "scan.yaml").read_text().partition("\nignore:")[0]  # its entries are for images of the real matrix
-    (mini.folder / "scan.yaml").write_text(policy + "\n")
-    program = mini.folder / "trivy-local replacement"
+    (project.folder / "scan.yaml").write_text(policy + "\n")
+    program = project.folder / "trivy-local replacement"
     program.write_text(SCANNER.format(python=sys.executable, version=pinned_version(ROOT, "trivy", RosmlError)))
     program.chmod(0o755)
-    (mini.folder / ".state/scanner.json").write_text(json.dumps({"trivy": str(program)}))
-    (mini.folder / ".gitignore").write_text("/.state/\n__pycache__/\n")
-    return mini
+    (project.folder / ".state/scanner.json").write_text(json.dumps({"trivy": str(program)}))
+    (project.folder / ".gitignore").write_text("/.state/\n__pycache__/\n")
+    return project
 
 
 ROSML = f"""\
@@ -109,49 +106,39 @@ echo 'distributions: {noetic: {distribution: [noetic/distribution.yaml]}}' >"$fo
 
 PLAIN_USER = 12345
 
+TAGS = {"ros:ros1-bookworm-core", "ros:ros1-bookworm-base", "ros-tf:ros1-bookworm-base-cpu"}
+
 QUIET = {"pages": "skipped", "issue": "skipped"}
 """Jobs that nobody asked for, in a night by hand."""
 
 
 def own_checkout(mini: Mini, folder: Path) -> Path:
     """What a job of the small project checks out: nothing that a set-up has made."""
-    made = {".state", ".venv", "__pycache__", ".git"}
-    shutil.copytree(mini.folder, folder, ignore=lambda _, names: made & set(names))
+    shutil.copytree(mini.folder, folder, ignore=shutil.ignore_patterns(".state", ".venv", "__pycache__", ".git"))
     shutil.copy(ROOT / "rosml", folder / "rosml-real")
     return folder
 
 
-def night(
-    mini: Mini,
-    folder: Path,
-    only: str = "",
-    lost: str = "",
-    rosml: str = ROSML,
-    checkout: Path | None = None,
-    serve: str = NATIVE,
-    text: str = "",
-    host: str = "",
-) -> Played:
+def night(mini: Mini, folder: Path, text: str = "", host: str = "", serve: str = NATIVE, **options: Any) -> Played:
     """A run of the workflow, its commands for real.
 
     Args:
-        mini: the small project, and where its images go. folder: for all that is made. only: images by target, pattern or group.
-        lost: artifacts that nobody can download. rosml: takes the place of ./rosml. checkout: what jobs check out; the small
-            project if None.
-        serve: architectures. text: of the workflow; ours if empty. host: stands before the registry; nothing does if empty.
+        mini: the small project, which jobs check out, and where its images go. folder: for all that is made.
+        text: of the workflow; ours if empty. host: stands before the registry; nothing does if empty.
+        serve: architectures. options: of `play`; and `rosml`, which takes the place of ./rosml.
     """
-    programs = {"make": '[ "$1" = test-scanner ]', "git": GIT, "rosml": rosml}
-    own, _, place = mini.registry.partition("/")
-    variables = {"ROSML_REGISTRY": host or own, "ROSML_NAMESPACE": place, "ROSML_SERVE": serve, "ROSML_SHARDS": "3"}
+    registry, _, place = mini.registry.partition("/")
     played = play(
         text or workflow("nightly"),
         folder,
-        programs,
-        checkout=checkout or mini.folder,
-        variables=variables,
+        {"make": '[ "$1" = test-scanner ]', "git": GIT, "rosml": options.pop("rosml", ROSML)},
+        variables={
+            **{"ROSML_REGISTRY": host or registry, "ROSML_NAMESPACE": place},
+            **{"ROSML_SERVE": serve, "ROSML_SHARDS": "3"},
+        },
         secrets={"ROSML_USER": "somebody", "ROSML_PASSWORD": "their password"},
-        inputs={"only": only, "force": "false"},
-        lost=lost,
+        inputs={"only": "", "force": "false"},
+        **{"checkout": mini.folder, **options},
     )
     LOG.info("%s", played.log)
     return played
@@ -161,14 +148,6 @@ def steps(played: Played, job: str) -> list[str]:
     """The steps of the publisher that a job called, in their order."""
     words = [call.split() for call in played.commands.get(job, []) if not call.startswith("git ")]
     return [call[2] if call[1] == "publish" else call[1] for call in words if call[1] not in ("setup", "test-scanner")]
-
-
-@pytest.fixture
-def mini(project: Mini) -> Iterator[Mini]:
-    """The small project as it should be, with an empty place in the registry."""
-    project.mark()
-    project.poison(poisoned=False)
-    yield project.elsewhere()
 
 
 def test_two_nights(mini: Mini, tmp_path: Path) -> None:
@@ -189,11 +168,11 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     expected = {**dict.fromkeys(second.results, "success"), **QUIET, "images": "skipped"}
     assert second.results == expected
     assert steps(second, "promote") == ["record", "index", "promote", "status"]
-    assert {"ros:ros1-bookworm-core", "ros:ros1-bookworm-base", "ros-tf:ros1-bookworm-base-cpu"} <= mini.tags().keys()
+    assert mini.tags().keys() >= TAGS
     mini.check()
     date = json.loads((second.artifacts / "plan/plan.json").read_text())["date"]
-    found = mini.client().manifest(f"{mini.prefix}/ros-tf", "ros1-bookworm-base-cpu")
-    assert found and found.content["annotations"]["io.rosml.date"] == date
+    index = mini.client().manifest(f"{mini.prefix}/ros-tf", "ros1-bookworm-base-cpu")
+    assert index and index.content["annotations"]["io.rosml.date"] == date
     after = book.read("ros1-bookworm-base-tensorflow-cpu", NATIVE)
     assert after and (after.digest, after.scanned) == (before.digest, "clean")
     summary = (tmp_path / "second/summary.md").read_text()
@@ -205,7 +184,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
     assert (public / "index.html").is_file()
     images = json.loads((public / "catalogue.json").read_text())["images"]
     shown = {image["target"]: image["builds"][0]["digest"] for image in images if image["status"] == "built"}
-    assert shown["ros1-bookworm-base-tensorflow-cpu"] == found.digest
+    assert shown["ros1-bookworm-base-tensorflow-cpu"] == index.digest
     (platform,) = next(i for i in images if i["target"] == "ros1-bookworm-base-tensorflow-cpu")["builds"][0][
         "platforms"
     ]
@@ -214,7 +193,7 @@ def test_two_nights(mini: Mini, tmp_path: Path) -> None:
 
 
 @pytest.mark.full(proof="night")
-def test_jobs_set_themselves_up(mini: Mini, services: Services, image_set: ImageSet) -> None:
+def test_jobs_set_themselves_up(mini: Mini, services: Services) -> None:
     """Each with what its own steps install, and nothing else of this machine; those of the other architecture under emulation."""
     with tempfile.TemporaryDirectory(prefix="rosml-night-") as name:
         folder = Path(name)
@@ -224,14 +203,10 @@ def test_jobs_set_themselves_up(mini: Mini, services: Services, image_set: Image
         (folder / "trivy").chmod(0o755)
         rosml = OWN.format(scanner=folder / "trivy", bin=ROOT / ".state/bin", user=PLAIN_USER)
         checkout = own_checkout(mini, folder / "checkout")
-        minis.for_both(checkout, services, image_set)
+        minis.for_both(checkout, services)
         played = night(mini, folder / "night", rosml=rosml, checkout=checkout, serve="")
         assert played.results == {**dict.fromkeys(played.results, "success"), **QUIET}
-        assert {
-            "ros:ros1-bookworm-core",
-            "ros:ros1-bookworm-base",
-            "ros-tf:ros1-bookworm-base-cpu",
-        } <= mini.tags().keys()
+        assert mini.tags().keys() >= TAGS
         mini.check()
         index = mini.client().manifest(f"{mini.prefix}/ros-tf", "ros1-bookworm-base-cpu")
         assert index
@@ -295,9 +270,9 @@ def test_a_night_in_which_much_goes_wrong(mini: Mini, tmp_path: Path) -> None:
     mini = rehearsed(mini, tmp_path / "project")
     refusals, refused = ["403", "403", "503"], list[str]()
 
-    def mood(_number: int, asked: str) -> str:
+    def mood(_number: int, request: str) -> str:
         """Refuses the first push of an image, as often as it comes."""
-        push = re.match(r"PUT (\S+/ros/manifests/\S+) buildkit/", asked)
+        push = re.match(r"PUT (\S+/ros/manifests/\S+) buildkit/", request)
         if not push or not refusals or push[1] not in (refused or push[1]):
             return ""
         refused.append(push[1])
@@ -322,7 +297,7 @@ def test_a_night_in_which_much_goes_wrong(mini: Mini, tmp_path: Path) -> None:
     before = mini.tags()
 
     failure = "the robot finds home"
-    left = ("late-base", "late-core-tensorflow-cpu", "late-base-tensorflow-cpu")
+    unbuilt = ("late-base", "late-core-tensorflow-cpu", "late-base-tensorflow-cpu")
     summary = causes((first.artifacts / "night/night.md").read_text())
     assert [*summary][1:] == [
         f"1 image failed: `tests failed: ros1-base: {failure}`",
@@ -333,12 +308,12 @@ def test_a_night_in_which_much_goes_wrong(mini: Mini, tmp_path: Path) -> None:
     top, failed, missing, shared, unlocked = summary.values()
     assert "A further run would build 1, join 2, test 4." in top
     assert "`broken-base`" in failed and failed.count("no way home") == 1
-    assert missing.split() == ", ".join(f"`{name}`" for name in left).split()
+    assert missing.split() == ", ".join(f"`{name}`" for name in unbuilt).split()
     assert "`broken-base-tensorflow-cpu`" in shared
     assert all("torch" in name for name in unlocked.split())
-    said = (tmp_path / "first/summary.md").read_text()
-    assert "- without a lock: 6 images, which cannot be built yet" in said
-    assert " times: the time of this run is over" in said
+    page = (tmp_path / "first/summary.md").read_text()
+    assert "- without a lock: 6 images, which cannot be built yet" in page
+    assert " times: the time of this run is over" in page
     assert (first.artifacts / f"logs-{NATIVE}-2/.state/tests/broken-base/report/ros1-base.json").is_file()
 
     mini.poison(poisoned=False)
@@ -354,15 +329,9 @@ def test_a_night_in_which_much_goes_wrong(mini: Mini, tmp_path: Path) -> None:
 
 def by_shard(played: Played) -> dict[str, str]:
     """How the step ended that builds, by shard; act gives all jobs of a matrix the result of one that failed."""
-    said = (json.loads(line) for line in played.log.splitlines() if line.startswith("{"))
-    ended = [it for it in said if it.get("step") == "Build, join and test" and it.get("stepResult") in ENDS]
+    lines = (json.loads(line) for line in played.log.splitlines() if line.startswith("{"))
+    ended = [it for it in lines if it.get("step") == "Build, join and test" and it.get("stepResult") in ENDS]
     return {it["matrix"]["shard"]["name"]: it["stepResult"] for it in ended}
-
-
-def test_no_plan_no_night(mini: Mini, tmp_path: Path) -> None:
-    played = night(mini, tmp_path / "night", only="ros1-bookworm-core no-*")
-    others = ("images", "rosdep", "scan", "promote", "prune", "catalogue", *QUIET)
-    assert played.results == {"plan": "failure", **dict.fromkeys(others, "skipped")}
 
 
 def test_a_pull_request_builds_what_it_changes(mini: Mini) -> None:
@@ -373,23 +342,13 @@ def test_a_pull_request_builds_what_it_changes(mini: Mini) -> None:
     assert words[0] == "./rosml"
 
     def publish() -> dict[str, Any]:
-        done = subprocess.run(
-            [sys.executable, "src", *words[1:], "--at-most", "1", "--registry", mini.registry, "--json"],
-            cwd=mini.folder,
-            stdin=subprocess.DEVNULL,
-            capture_output=True,
-            text=True,
-            check=False,
-        )
-        assert done.returncode == 0, done.stderr
-        content: dict[str, Any] = json.loads(done.stdout)
+        done = rosml(*words[1:], "--at-most", "1", "--registry", mini.registry, "--json", root=mini.folder)
+        content: dict[str, Any] = json.loads(done.out)
         return content
 
-    names = [f"GIT_{who}_{what}" for who in ("AUTHOR", "COMMITTER") for what in ("NAME", "EMAIL")]
+    names = ("-c", "user.name=a", "-c", "user.email=a")
     for arguments in (["init", "--quiet"], ["add", "--all"], ["commit", "--quiet", "--message", "A version"]):
-        subprocess.run(
-            ["git", *arguments], cwd=mini.folder, check=True, env={**os.environ, **dict.fromkeys(names, "a")}
-        )
+        subprocess.run(["git", *names, *arguments], cwd=mini.folder, check=True)
     assert publish() == {"counts": {}, "outcomes": []}
     assert mini.tags() == {}
     mini.mark(ros="2")

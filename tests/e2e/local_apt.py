@@ -15,16 +15,18 @@ import re
 import shutil
 import socket
 import subprocess
+import tempfile
 import threading
 import urllib.parse
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import yaml
 
 from rosml import ROOT
-from tests.e2e.conftest import Run
+from tests.e2e.calls import Run
 
 ADDRESSES = yaml.safe_load((ROOT / "matrix.yaml").read_text())["ros_archive"]
 LIVE, SNAPSHOT, APT_SOURCE = ADDRESSES["live"], ADDRESSES["snapshot"], ADDRESSES["apt_source"]
@@ -86,14 +88,23 @@ class Keys:
         """Writes a text with its signature inside."""
         self._gpg(name, "--local-user", f"{name}@example.org", "--output", str(signed), "--clear-sign", str(text))
 
-    def close(self) -> None:
-        """Stops the agent that gpg starts."""
-        subprocess.run(["gpgconf", "--homedir", str(self.home), "--kill", "all"], check=False)
-
     def _gpg(self, name: str, *arguments: str) -> str:
         then = ["--faked-system-time", self.PAST] if name == "expired" else []
         argv = ["gpg", "--homedir", str(self.home), "--batch", "--yes", "--quiet", *then, *arguments]
         return subprocess.run(argv, check=True, capture_output=True, text=True).stdout
+
+
+@contextmanager
+def signing_keys(*names: str) -> Iterator[Keys]:
+    """Makes keys by name."""
+    with tempfile.TemporaryDirectory(prefix="gpg-") as home:  # short: gpg's sockets are in it
+        keys = Keys(Path(home))
+        try:
+            for name in names:
+                keys.make(name)
+            yield keys
+        finally:
+            subprocess.run(["gpgconf", "--homedir", home, "--kill", "all"], check=False)  # the agent that gpg starts
 
 
 # ---- Packages and repositories ---------------------------------------------------------------------------------------
@@ -201,14 +212,14 @@ class Server:
         self.folder = folder
         self.fault = ""
         self.failures = 0
-        self.asked: dict[str, int] = {}
+        self.requests: dict[str, int] = {}
         self._server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), self._handler())
         self.url = f"http://127.0.0.1:{self._server.server_port}"
         threading.Thread(target=self._server.serve_forever, kwargs={"poll_interval": 0.05}, daemon=True).start()
 
     def fail(self, fault: str, times: int) -> None:
         """From now on, the first `times` requests for each file fail: `500`, or `reset` in the middle of an answer."""
-        self.fault, self.failures, self.asked = fault, times, {}
+        self.fault, self.failures, self.requests = fault, times, {}
 
     def close(self) -> None:
         self._server.shutdown()
@@ -221,8 +232,8 @@ class Server:
             def do_GET(self) -> None:
                 url = urllib.parse.urlsplit(self.path)
                 path = f"{url.hostname or ''}/{urllib.parse.unquote(url.path).lstrip('/')}".lstrip("/")
-                server.asked[path] = server.asked.get(path, 0) + 1
-                failing = server.asked[path] <= server.failures
+                server.requests[path] = server.requests.get(path, 0) + 1
+                failing = server.requests[path] <= server.failures
                 file = server.folder / path
                 if failing and server.fault == "500":
                     self.send_error(500)
@@ -312,8 +323,8 @@ class Image:
         # The pauses between two tries are for mirrors; nobody has to wait for this one.
         self.write("usr/local/sbin/sleep", "#!/bin/sh\n").chmod(0o755)
         # This machine's own files, which lie below, are no part of the image.
-        own = " ".join(f"/{name}" for name in ("etc", "opt", "root", "usr/local", "var/cache", "var/lib/dpkg"))
-        narrow = f'#!/bin/sh\nif [ "$1" = / ]; then shift; set -- {own} "$@"; fi\nexec /usr/bin/find "$@"\n'
+        places = " ".join(f"/{name}" for name in ("etc", "opt", "root", "usr/local", "var/cache", "var/lib/dpkg"))
+        narrow = f'#!/bin/sh\nif [ "$1" = / ]; then shift; set -- {places} "$@"; fi\nexec /usr/bin/find "$@"\n'
         self.write("usr/local/sbin/find", narrow).chmod(0o755)
         self.write("usr/local/bin/cmake", "#!/bin/sh\necho cmake version 3.28.3\n").chmod(0o755)
         self.write("etc/apt/apt.conf.d/no-delay", 'Acquire::Retries::Delay "false";\n')
@@ -346,10 +357,10 @@ class Image:
         assert set(leave) <= {test["name"] for test in tests}
         wrong = []
         for test in tests:
-            given = {item["key"]: item["value"] for item in test.get("envVars", ())}
+            variables = {item["key"]: item["value"] for item in test.get("envVars", ())}
             if test["name"] in leave:
                 continue
-            done = self.run(test["command"], *map(str, test.get("args", ())), env={**env, **given})
+            done = self.run(test["command"], *map(str, test.get("args", ())), env={**env, **variables})
             expected = test.get("expectedOutput", ())
             if done.code != test.get("exitCode", 0) or not all(re.search(words, done.out) for words in expected):
                 wrong.append(f"{file}: {test['name']}: {done}")
@@ -374,3 +385,12 @@ class Image:
         for file in files:
             file.unlink()
         return Run(done.returncode, done.stdout, done.stderr)
+
+
+def require_one_sentence(done: Run, problem: str, remedy: str) -> None:
+    """Asserts that a step failed with one error, which names the problem and what to do."""
+    assert done.code == 1, done.out + done.err
+    errors = [line for line in done.err.splitlines() if line.startswith("error: ")]
+    assert len(errors) == 1, done.out + done.err
+    sentence, _, advice = errors[0].rpartition("; ")
+    assert problem in sentence and remedy in advice, errors[0]
