@@ -16,6 +16,8 @@ from tests.e2e.calls import Run, run
 
 BASE = "ros1-bookworm-core"
 RUNTIME = "ros1-bookworm-core-run"
+CANARY = "canary-9d1f"
+"""A password that nothing may say."""
 
 PACKAGE = """<package format="2"><name>{0}</name><version>1.0.0</version><description>{0}</description>
 <maintainer email="nobody@example.org">nobody</maintainer><license>Apache-2.0</license>

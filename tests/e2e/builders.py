@@ -41,9 +41,9 @@ def builder(
     folder.mkdir()
     runc = re.search(r'^  binary = "(.*)"$', (ROOT / ".state/run/buildkitd.toml").read_text(), re.MULTILINE)
     socket = folder / "buildkitd.sock"
-    own = {"root": root or folder / "root", "socket": socket, "otel": folder / "otel.sock", "runc": runc and runc[1]}
-    own_texts = {key: str(value) for key, value in own.items()}
-    text = config(services.registry, bool(services.bases), own_texts, certificates)
+    places = {"root": root or folder / "root", "socket": socket, "otel": folder / "otel.sock", "runc": runc and runc[1]}
+    texts = {key: str(value) for key, value in places.items()}
+    text = config(services.registry, bool(services.bases), texts, certificates)
     (folder / "buildkitd.toml").write_text(text)
     command = [str(ROOT / ".state/bin/buildkitd"), "--config", str(folder / "buildkitd.toml")]
     with (folder / "log").open("wb") as log:

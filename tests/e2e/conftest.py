@@ -20,6 +20,7 @@ from rosml.images.image_set.model import ImageSet
 from rosml.machine.services import Services
 from tests.e2e import images
 from tests.e2e import mini as minis
+from tests.e2e.app_builds import BASE
 from tests.e2e.builders import builder
 from tests.e2e.calls import LOG, NAMESPACE, publish
 from tests.e2e.images import BuildOn, Publish, Published
@@ -129,6 +130,12 @@ def published(services: Services, image_set: ImageSet) -> Publish:
         return Published(image, json.loads(file.read_text()), repository, services)
 
     return once
+
+
+@pytest.fixture(scope="session")
+def base(published: Publish) -> str:
+    """The reference of the base image of most apps."""
+    return published(BASE).reference
 
 
 @pytest.fixture

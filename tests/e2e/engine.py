@@ -72,13 +72,13 @@ class Engine:
         process = subprocess.Popen(self.command(*arguments), stdin=slave, stdout=slave, stderr=slave, close_fds=True)
         os.close(slave)
         os.write(master, typed.encode())
-        said, end = b"", time.monotonic() + seconds
+        output, end = b"", time.monotonic() + seconds
         try:
             while time.monotonic() < end:
                 if select.select([master], [], [], 0.2)[0]:
                     with suppress(OSError):  # the other end was closed
                         if data := os.read(master, 65536):
-                            said += data
+                            output += data
                             continue
                     break
                 if process.poll() is not None:
@@ -87,7 +87,7 @@ class Engine:
             process.kill()
             process.wait()
             os.close(master)
-        return said.decode(errors="replace").replace("\r", "")
+        return output.decode(errors="replace").replace("\r", "")
 
     def load(self, services: Services, reference: str, name: str, folder: Path, *steps: str) -> str:
         """Loads an image of the registry into the engine, with steps of `images.context` on top; returns its name there.

@@ -58,13 +58,13 @@ def moody(upstream: str, mood: Mood) -> Iterator[str]:
             if body or self.command in ("PUT", "POST", "PATCH"):
                 connection.putheader("Content-Length", str(len(body)))
             connection.endheaders(body or None)
-            found = connection.getresponse()
-            data = found.read()
-            self.send_response(found.status)
-            for name, value in found.getheaders():
+            response = connection.getresponse()
+            data = response.read()
+            self.send_response(response.status)
+            for name, value in response.getheaders():
                 if name.lower() not in ("transfer-encoding", "connection", "content-length"):
                     self.send_header(name, value)
-            length_said = found.getheader("Content-Length") if self.command == "HEAD" else str(len(data))
+            length_said = response.getheader("Content-Length") if self.command == "HEAD" else str(len(data))
             self.send_header("Content-Length", length_said or "0")
             self.end_headers()
             if self.command != "HEAD":

@@ -33,7 +33,7 @@ ENTRIES = {
 }
 PARTS = tuple(ENTRIES)[:5]
 ADDONS = {"graph": ("cuda", "common", "graph-cc", "graph"), "devel": ("cuda", "devel")}
-OWN = {"graph-cc": "graph", "graph": "graph", "devel": "devel"}
+ADDON_OF = {"graph-cc": "graph", "graph": "graph", "devel": "devel"}
 """The add-on of each part that is its own."""
 GPU = {
     "cuda": {"driver": "525"},
@@ -133,7 +133,7 @@ def archive(files: Sequence[str], content: str) -> bytes:
 
 def ros(distribution: str = "ros1-bookworm", component: str = "core", python: str = "3.11", **more: object) -> Tiny:
     """A ROS image. `more`: what else `Tiny` has."""
-    said = {
+    texts = {
         **labels.about_image(labels.ImageKind(distribution, component, "1"), []),
         "org.opencontainers.image.licenses": "Apache-2.0",
         "io.rosml.distribution": distribution,
@@ -143,7 +143,7 @@ def ros(distribution: str = "ros1-bookworm", component: str = "core", python: st
         "io.rosml.ros": "1",
     }
     facts = {"files": ("usr/bin/env", "bin", "lib", "opt/ros/setup.bash"), **more}
-    return Tiny(said, **facts)  # type: ignore[arg-type]
+    return Tiny(texts, **facts)  # type: ignore[arg-type]
 
 
 def part(
@@ -157,19 +157,19 @@ def part(
     """A part of a stack with CUDA, or of one whose name begins with `cpu`. `more`: what else `Tiny` has."""
 
     def entries(parts: Sequence[str]) -> list[PartEntry]:
-        there = [other for other in parts if other != "cuda" or not stack.startswith("cpu")]
-        return [ENTRIES.get(other) or PartEntry(name=other) for other in there]
+        present = [other for other in parts if other != "cuda" or not stack.startswith("cpu")]
+        return [ENTRIES.get(other) or PartEntry(name=other) for other in present]
 
     taking = {name: entries(parts) for name, parts in (frameworks or FRAMEWORKS).items() if kind in parts}
-    adding = {OWN[kind]: entries(ADDONS[OWN[kind]])} if kind in OWN else {}
+    adding = {ADDON_OF[kind]: entries(ADDONS[ADDON_OF[kind]])} if kind in ADDON_OF else {}
     entry = ENTRIES[kind]
     python = ANY_PYTHON if entry.any_python else python
     brought = [
         replace(item, version=versions[item.name]) for item in combinations.brought_by(entry) if item.name in versions
     ]
     gpu = {} if stack.startswith("cpu") else GPU.get(kind)
-    said = labels.of_part(entry, stack, python, brought, taking, adding) | labels.about_gpus(gpu or {})
-    return Tiny(said, **{"files": (f"usr/local/share/{kind}",), **more})  # type: ignore[arg-type]
+    texts = labels.of_part(entry, stack, python, brought, taking, adding) | labels.about_gpus(gpu or {})
+    return Tiny(texts, **{"files": (f"usr/local/share/{kind}",), **more})  # type: ignore[arg-type]
 
 
 def stack(registry: Registry, repository: str, parts: Sequence[str], name: str = "cu128", **more: object) -> list[str]:

@@ -84,10 +84,10 @@ class Person:
             os.chdir(self.folder)
             command = [*self.become, *_rosml(words)]
             os.execvpe(command[0], command, self._variables())
-        said, end, pressed = b"", time.monotonic() + seconds, False
+        output, end, pressed = b"", time.monotonic() + seconds, False
         try:
             while time.monotonic() < end:
-                if b"ready" in said and not pressed:
+                if b"ready" in output and not pressed:
                     fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", *SIZE, 0, 0))
                     time.sleep(2)
                     os.write(terminal, b"\n")
@@ -95,18 +95,18 @@ class Person:
                 if select.select([terminal], [], [], 0.2)[0]:
                     with suppress(OSError):  # the other end was closed
                         if data := os.read(terminal, 65536):
-                            said += data
+                            output += data
                             continue
                     break
         finally:
             os.close(terminal)  # which hangs up
             os.waitpid(child, 0)
-        return said.decode(errors="replace").replace("\r", "")
+        return output.decode(errors="replace").replace("\r", "")
 
     def _variables(self) -> dict[str, str]:
         state = {"XDG_STATE_HOME": str(self.folder / ".state"), "XDG_CONFIG_HOME": str(self.folder / ".config")}
-        own = {"HOME": str(self.folder), **state, "PYTHONPATH": str(ROOT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
-        return {**os.environ, **own, **self.environment}
+        ours = {"HOME": str(self.folder), **state, "PYTHONPATH": str(ROOT / "src"), "PYTHONDONTWRITEBYTECODE": "1"}
+        return {**os.environ, **ours, **self.environment}
 
 
 def _rosml(words: tuple[str, ...]) -> list[str]:
@@ -128,8 +128,8 @@ def starts(person: Person, image: str, name: str) -> None:
     assert [person.run(image, command).code for command in ("/etc/passwd", "/nothing")] == [126, 127]
     seen = person.resized("run", "--network", "none", image, "bash", "-c", "echo ready; read; stty size")
     assert " ".join(map(str, SIZE)) in seen, seen
-    left = person.other(name, "ps", "--all", "--quiet", "--filter", f"label=io.rosml.run.folder={person.folder}")
-    assert (left.code, left.out) == (0, ""), "nothing is left"
+    containers = person.other(name, "ps", "--all", "--quiet", "--filter", f"label=io.rosml.run.folder={person.folder}")
+    assert (containers.code, containers.out) == (0, ""), "nothing is containers"
 
 
 def enters(person: Person, image: str, name: str) -> None:
@@ -150,14 +150,14 @@ def enters(person: Person, image: str, name: str) -> None:
 def somebody(docker: engine.Engine) -> Iterator[Person]:
     """A person with a folder, who may talk to the engine: nobody's uid where the tests started it, or else this user."""
     folder = Path(tempfile.mkdtemp(prefix="person-"))  # pytest's own are nobody else's
-    found = Person(folder, os.geteuid())
+    person = Person(folder, os.geteuid())
     if docker.host:
         socket = Path(docker.host.removeprefix("unix://"))
         socket.chmod(0o666)
         socket.parent.chmod(0o755)
-        found.uid = UID
-        found.become = ["setpriv", f"--reuid={UID}", f"--regid={UID}", "--clear-groups"]
-        found.environment["DOCKER_HOST"] = docker.host
+        person.uid = UID
+        person.become = ["setpriv", f"--reuid={UID}", f"--regid={UID}", "--clear-groups"]
+        person.environment["DOCKER_HOST"] = docker.host
         os.chown(folder, UID, UID)
-    yield found
+    yield person
     shutil.rmtree(folder)

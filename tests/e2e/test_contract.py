@@ -7,6 +7,8 @@ import re
 import subprocess
 import time
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
@@ -26,16 +28,26 @@ def env(environment: Mapping[str, str]) -> tuple[str, ...]:
     return tuple(item for name, value in environment.items() for item in ("--env", f"{name}={value}"))
 
 
+@dataclass(frozen=True)
 class Container:
     """The image in the engine."""
 
-    def __init__(self, docker: engine.Engine, image: str) -> None:
-        self.docker = docker
-        self.image = image
+    docker: engine.Engine
+    image: str
 
     def run(self, *command: str, options: tuple[str, ...] = (), **environment: str) -> Run:
         """`docker run IMAGE COMMAND`, with options and environment."""
         return self.docker.run(self.image, *command, options=(*options, *env(environment)))
+
+    @contextmanager
+    def started(self, *words: str) -> Iterator[str]:
+        """A container in the background; gives its identity."""
+        done = self.docker.docker("run", "--detach", "--network", "none", *words)
+        assert done.code == 0, done.err
+        try:
+            yield done.out.strip()
+        finally:
+            self.docker.docker("rm", "--force", done.out.strip())
 
     def bash(self, script: str, options: tuple[str, ...] = (), **environment: str) -> str:
         """What a script says; it must not fail."""
@@ -75,56 +87,53 @@ def mount(source: Path, target: str) -> tuple[str, str]:
 # ---- The command -----------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("options", [(), ("user",), ("user", "--read-only")], ids=["root", "user", "read-only"])
+USER = {"DOCKER_UID": "1000", "DOCKER_GID": "1001"}
+
+ROOT_AND_USER = pytest.mark.parametrize("environment", [{}, USER], ids=["root", "user"])
+
+
+@pytest.mark.parametrize("options", [(), env(USER), ("--read-only", *env(USER))], ids=["root", "user", "read-only"])
 def test_exit_codes_and_arguments_pass_through(container: Container, options: tuple[str, ...]) -> None:
-    given = tuple(item for option in options for item in (env(USER) if option == "user" else (option,)))
-    assert container.run("bash", "-c", "exit 37", options=given).code == 37
-    done = container.run("printf", "<%s>", "a b", "", 'c"d', "e'f", "$HOME", "*", "-n", options=given)
+    assert container.run("bash", "-c", "exit 37", options=options).code == 37
+    done = container.run("printf", "<%s>", "a b", "", 'c"d', "e'f", "$HOME", "*", "-n", options=options)
     assert done.out == "<a b><><c\"d><e'f><$HOME><*><-n>"
-    assert container.run("no-such-command", options=given).code == 127
-    assert container.run("/etc/passwd", options=given).code == 126
+    assert container.run("no-such-command", options=options).code == 127
+    assert container.run("/etc/passwd", options=options).code == 126
     for command in (("--help",), ("-c", "env"), ("-l", "bash"), ("A=1", "id")):  # no options of ours, nor of exec
-        done = container.run(*command, options=given)
+        done = container.run(*command, options=options)
         assert (done.code, done.out) == (127, ""), done
-    done = container.run("rospack list", options=given)
+    done = container.run("rospack list", options=options)
     assert done.code == 127 and "leave out the quotes" in done.err
 
 
-@pytest.mark.parametrize("environment", [{}, {"DOCKER_UID": "1234", "DOCKER_GID": "1234"}], ids=["root", "user"])
+@ROOT_AND_USER
 def test_standard_streams(container: Container, tmp_path: Path, environment: dict[str, str]) -> None:
     """They can be opened by their names, and what a setup file reads is not the command's."""
-    said = container.run("bash", "-c", "echo out >/dev/stdout; echo err >/dev/stderr", options=env(environment))
-    assert (said.code, said.out, said.err) == (0, "out\n", "err\n")
+    done = container.run("bash", "-c", "echo out >/dev/stdout; echo err >/dev/stderr", options=env(environment))
+    assert (done.code, done.out, done.err) == (0, "out\n", "err\n")
     (tmp_path / "setup.bash").write_text("read -r line || true\n")
     options = ("run", "--rm", "--interactive", "--network", "none", *mount(tmp_path, f"{WORKSPACE}/install"))
     command = container.docker.command(*options, *env(environment), container.image, "cat")
     assert subprocess.run(command, input="first\nsecond\n", capture_output=True, text=True).stdout == "first\nsecond\n"
 
 
-@pytest.mark.parametrize("environment", [{}, {"DOCKER_UID": "1234", "DOCKER_GID": "1234"}], ids=["root", "user"])
+@ROOT_AND_USER
 def test_signals_reach_the_process(container: Container, environment: dict[str, str]) -> None:
     """`docker stop` ends what waits for SIGTERM at once and with its own exit code, and an orphan is reaped by tini."""
     script = "trap 'echo ended; exit 9' TERM; echo ready; while :; do sleep 0.1; done"
-    name = container.docker.docker(
-        "run", "--detach", "--network", "none", *env(environment), container.image, "bash", "-c", script
-    )
-    assert name.code == 0, name.err
-    identity = name.out.strip()
-    try:
+    docker = container.docker.docker
+    with container.started(*env(environment), container.image, "bash", "-c", script) as identity:
         end = time.monotonic() + 30
-        while "ready" not in container.docker.docker("logs", identity).out:
-            assert time.monotonic() < end, container.docker.docker("logs", identity)
+        while "ready" not in docker("logs", identity).out:
+            assert time.monotonic() < end, docker("logs", identity)
             time.sleep(0.1)
-        assert container.docker.docker("stop", "--time", "20", identity).code == 0
-        assert "ended" in container.docker.docker("logs", identity).out
-        code = container.docker.docker("inspect", "--format", "{{.State.ExitCode}}", identity)
-        assert code.out.strip() == "9"
+        assert docker("stop", "--time", "20", identity).code == 0
+        assert "ended" in docker("logs", identity).out
+        assert docker("inspect", "--format", "{{.State.ExitCode}}", identity).out.strip() == "9"
         # The same container once more: its user exists already.
-        assert container.docker.docker("start", identity).code == 0
-        assert container.docker.docker("stop", "--time", "20", identity).code == 0
-        assert "entrypoint:" not in container.docker.docker("logs", identity).err
-    finally:
-        container.docker.docker("rm", "--force", identity)
+        assert docker("start", identity).code == 0
+        assert docker("stop", "--time", "20", identity).code == 0
+        assert "entrypoint:" not in docker("logs", identity).err
 
 
 @pytest.mark.parametrize(
@@ -135,39 +144,29 @@ def test_a_stop_reaches_what_is_behind_a_shell(container: Container, options: tu
     node = "import signal, time; signal.signal(15, lambda *_: (time.sleep(1), print('saved'), exit()))\nwhile True: time.sleep(1)"
     script = f'python3 -c "{node}" | cat & python3 -c "{node}"; echo further'
     docker = container.docker.docker
-    for command, said in ((("bash", "-c", script), ["saved", "saved"]), (("bash",), [])):
-        if not said and not options:
+    for command, lines in ((("bash", "-c", script), ["saved", "saved"]), (("bash",), [])):
+        if not lines and not options:
             continue  # a shell without a terminal reads nothing, and ends by itself
-        given = ("--interactive", *options) if not said else options
-        started = docker(
-            "run", "--detach", "--network", "none", *given, "--env", "ROSML_BANNER=off", container.image, *command
-        )
-        identity = started.out.strip()
-        try:
+        words = (*(() if lines else ("--interactive",)), *options, "--env", "ROSML_BANNER=off")
+        with container.started(*words, container.image, *command) as identity:
             time.sleep(5)
             begin = time.monotonic()
             assert docker("stop", "--time", "30", identity).code == 0
             assert time.monotonic() - begin < 20
             logged = docker("logs", identity)
-            assert not said or (logged.out.split(), logged.err) == (said, ""), logged
-        finally:
-            docker("rm", "--force", identity)
+            assert not lines or (logged.out.split(), logged.err) == (lines, ""), logged
 
 
 # ---- The user --------------------------------------------------------------------------------------------------------
 
-USER = {"DOCKER_UID": "1000", "DOCKER_GID": "1001"}
-
 WHO = 'echo "$(id -u):$(id -g) $(id -un) $(id -Gn) home=$HOME ws=$(readlink ~/ws) pwd=$PWD"; touch ~/mine "$WORKSPACE/mine"'
-
-
-def test_root_by_default(container: Container) -> None:
-    assert container.bash(WHO) == f"0:0 root root home=/root ws= pwd={WORKSPACE}"
 
 
 @pytest.mark.parametrize(
     ("uid", "gid", "expected"),
     [
+        ("", "", "0:0 root root home=/root"),
+        ("00", "1000", "0:0 root root home=/root"),
         ("1", "1000", r"1:1000 daemon dockeruser sudo video home=/home/daemon"),  # whose home is /usr/sbin
         ("1000", "1000", r"1000:1000 dockeruser dockeruser sudo video home=/home/dockeruser"),
         ("1234", "2345", r"1234:2345 dockeruser dockeruser sudo video home=/home/dockeruser"),
@@ -180,13 +179,9 @@ def test_root_by_default(container: Container) -> None:
     ],
 )
 def test_becomes_the_user(container: Container, uid: str, gid: str, expected: str) -> None:
-    said = container.bash(WHO, DOCKER_UID=uid, DOCKER_GID=gid)
-    assert re.fullmatch(rf"{expected} ws={WORKSPACE} pwd={WORKSPACE}", said), said
-
-
-@pytest.mark.parametrize("uid", ["0", "00"])
-def test_uid_0_stays_root(container: Container, uid: str) -> None:
-    assert container.bash("id -u; echo $HOME", DOCKER_UID=uid, DOCKER_GID="1000") == "0\n/root"
+    words = container.bash(WHO, DOCKER_UID=uid, DOCKER_GID=gid)
+    link = "" if expected.startswith("0:0") else WORKSPACE
+    assert re.fullmatch(rf"{expected} ws={link} pwd={WORKSPACE}", words), words
 
 
 def test_groups_that_were_added_stay(container: Container) -> None:
@@ -201,43 +196,37 @@ def test_setup_files_are_read_as_the_user(container: Container, tmp_path: Path) 
     (tmp_path / "setup.bash").write_text(
         'export WHO="$(id -u) $HOME"; unset DOCKER_UID DOCKER_GID; export DOCKER_UID=0; readonly uid=0 user=root home=/\n'
     )
-    done = container.run(
-        "bash", "-c", 'echo "$WHO $(id -u)"', options=(*mount(tmp_path, f"{WORKSPACE}/install"), *env(USER))
-    )
+    options = (*mount(tmp_path, f"{WORKSPACE}/install"), *env(USER))
+    done = container.run("bash", "-c", 'echo "$WHO $(id -u)"', options=options)
     assert (done.code, done.out, done.err) == (0, "1000 /home/dockeruser 1000\n", "")
 
 
 def test_another_name(container: Container) -> None:
-    assert (
-        container.bash("id -un; echo $HOME", DOCKER_UID="1001", DOCKER_GID="1001", DOCKER_USER="ada")
-        == "ada\n/home/ada"
-    )
+    assert container.bash("id -un; echo $HOME", options=env(USER | {"DOCKER_USER": "ada"})) == "ada\n/home/ada"
     # The group's name is taken: it gets another one.
-    said = container.bash("id -un; id -gn", DOCKER_UID="1001", DOCKER_GID="1001", DOCKER_USER="nogroup")
-    assert said == "nogroup\nnogroup-1001"
+    assert container.bash("id -un; id -gn", options=env(USER | {"DOCKER_USER": "nogroup"})) == "nogroup\nnogroup-1001"
 
 
 @pytest.mark.parametrize(
-    ("environment", "code", "words"),
+    ("environment", "words"),
     [
-        ({"DOCKER_UID": "abc", "DOCKER_GID": "1"}, 64, "take numbers, not 'abc' and '1'"),
-        ({"DOCKER_UID": "-1", "DOCKER_GID": "1"}, 64, "take numbers"),
-        ({"DOCKER_UID": "1000", "DOCKER_GID": "1 0"}, 64, "take numbers"),
-        ({"DOCKER_UID": "4294967295", "DOCKER_GID": "1"}, 64, "take numbers"),
-        ({"DOCKER_UID": "18446744073709551616", "DOCKER_GID": "1"}, 64, "take numbers"),
-        ({"DOCKER_UID": "1000", "DOCKER_GID": "1000", "DOCKER_USER": "games"}, 64, "the user name games is taken"),
+        ({"DOCKER_UID": "abc", "DOCKER_GID": "1"}, "take numbers, not 'abc' and '1'"),
+        ({"DOCKER_UID": "-1", "DOCKER_GID": "1"}, "take numbers"),
+        ({"DOCKER_UID": "1000", "DOCKER_GID": "1 0"}, "take numbers"),
+        ({"DOCKER_UID": "4294967295", "DOCKER_GID": "1"}, "take numbers"),
+        ({"DOCKER_UID": "18446744073709551616", "DOCKER_GID": "1"}, "take numbers"),
+        ({"DOCKER_USER": "games"}, "the user name games is taken"),
         *(
-            ({"DOCKER_UID": "1000", "DOCKER_GID": "1000", "DOCKER_USER": name}, 64, "DOCKER_USER is no user name")
+            ({"DOCKER_USER": name}, "DOCKER_USER is no user name")
             for name in ("a:b", "1234", "../../etc", "..", "-r", "--help", "a b", "*", "x" * 33)
         ),
     ],
 )
 def test_a_user_that_cannot_be_is_no_reason_to_start_as_another(
-    container: Container, environment: dict[str, str], code: int, words: str
+    container: Container, environment: dict[str, str], words: str
 ) -> None:
-    done = container.run("echo", "started", options=env(environment))
-    assert (done.code, done.out) == (code, ""), done
-    assert f"entrypoint: {words}" in done.err or words in done.err
+    done = container.run("echo", "started", options=env(USER | environment))
+    assert (done.code, done.out) == (64, "") and words in done.err, done
 
 
 def test_without_the_capabilities_nobody_is_made(container: Container) -> None:
@@ -254,30 +243,27 @@ def test_one_of_both_is_told_and_changes_nothing(container: Container) -> None:
 
 
 def test_sudo_without_a_password_and_no_password_at_all(container: Container) -> None:
-    said = container.bash("sudo -n id -u; sudo -n cat /etc/shadow", DOCKER_UID="1000", DOCKER_GID="1000")
-    assert said.startswith("0\n")
-    fields = [line.split(":")[1] for line in said.splitlines()[1:]]
+    identity, *shadow = container.bash("sudo -n id -u; sudo -n cat /etc/shadow", options=env(USER)).splitlines()
+    assert identity == "0"
+    fields = [line.split(":")[1] for line in shadow]
     assert len(fields) > 10 and set(fields) <= {"*", "!", "!*", "!!"}
 
 
-@pytest.mark.parametrize("environment", [{}, {"DOCKER_UID": "1000", "DOCKER_GID": "1000"}], ids=["plain", "with uid"])
+@ROOT_AND_USER
 def test_an_arbitrary_user(container: Container, environment: dict[str, str]) -> None:
     """`--user 12345:0`, as OpenShift does: a home that can be written, the workspace too, and ROS runs."""
     script = f"{WHO.replace('$(id -un) ', '')} 2>&1; roscore --help >/dev/null; timeout 3 roscore >/dev/null 2>&1 || [[ $? == 124 ]]"
-    named = "; python3 -c 'import getpass; print(getpass.getuser())'"
-    said = container.bash(script + named, options=("--user", "12345:0"), **environment)
-    assert said.startswith("12345:0 root home=/tmp ws= pwd=") and said.endswith("\ndockeruser")
+    script += "; python3 -c 'import getpass; print(getpass.getuser())'"
+    words = container.bash(script, options=("--user", "12345:0"), **environment)
+    assert words.startswith("12345:0 root home=/tmp ws= pwd=") and words.endswith("\ndockeruser")
 
 
-@pytest.mark.parametrize(
-    ("environment", "expected"),
-    [({}, "0:0 home=/root"), ({"DOCKER_UID": "1000", "DOCKER_GID": "1001"}, "1000:1001 home=/tmp")],
-    ids=["root", "user"],
-)
-def test_a_read_only_root(container: Container, environment: dict[str, str], expected: str) -> None:
+@ROOT_AND_USER
+def test_a_read_only_root(container: Container, environment: dict[str, str]) -> None:
     options = ("--read-only", "--tmpfs", "/tmp", "--tmpfs", "/root")
     script = 'echo "$(id -u):$(id -g) home=$HOME"; touch ~/mine; timeout 3 roscore >/tmp/log 2>&1 || [[ $? == 124 ]] || { cat /tmp/log; false; }'
-    assert container.bash(script, options=options, **environment) == expected
+    who = container.bash(script, options=options, **environment)
+    assert who == ("1000:1001 home=/tmp" if environment else "0:0 home=/root")
 
 
 # ---- The workspace ---------------------------------------------------------------------------------------------------
@@ -306,10 +292,10 @@ def test_mounted_sources_keep_their_owner(container: Container, sources: Path, w
     before = owners(sources)
     assert len(before) == 2
     script = f"test -e {where}/package/package.xml; test ~/ws -ef {WORKSPACE}; stat --format %u:%g {WORKSPACE}"
-    said = container.bash(script, options=mount(sources, where), DOCKER_UID="1000", DOCKER_GID="1001")
+    owner = container.bash(script, options=mount(sources, where), **USER)
     assert owners(sources) == before
     # The workspace around them is the image's own: the user can build in it.
-    assert said == ("4321:5432" if where == WORKSPACE else "1000:1001")
+    assert owner == ("4321:5432" if where == WORKSPACE else "1000:1001")
 
 
 @pytest.mark.parametrize(
@@ -349,9 +335,7 @@ def test_a_home_with_something_mounted_in_it_becomes_the_users(container: Contai
     """The engine makes the folders on the way, for root: of a new user, and of one who has no home yet."""
     before = owners(sources)
     uid = "DOCKER_UID=1000 DOCKER_GID=1001 /entrypoint.sh"
-    inside = (
-        "[[ $HOME == ~+ && -O ~ && -O ~/.config && -f ~/.bashrc && -O ~/.bashrc && ~/ws -ef /docker-ros/ws ]]; id -un"
-    )
+    inside = "[[ $HOME == ~+ && -O ~ && -O ~/.config && -O ~/.bashrc && ~/ws -ef /docker-ros/ws ]]; id -un"
     taken = "useradd --no-create-home --uid 1000 robot; " if user == "robot" else ""
     script = f"{taken}{uid} bash -c 'cd; touch new; {inside}'"
     done = container.run("bash", "-euc", script, options=mount(sources, f"/home/{user}/.config/mine"))
@@ -407,12 +391,10 @@ def test_overlays_are_sourced_in_order(container: Container, tmp_path: Path) -> 
     expected = f"/opt/ws_base_image/install {WORKSPACE}/devel {WORKSPACE}/install"
     assert container.bash("echo $ORDER", options=tuple(options)) == expected
     # As a user, and in a shell that came past the entrypoint, as with docker exec.
-    assert container.bash("echo $ORDER", options=tuple(options), DOCKER_UID="1000", DOCKER_GID="1000") == expected
+    assert container.bash("echo $ORDER", options=tuple(options), **USER) == expected
     for user, shell in (("root", "-ic"), ("12345", "-lc"), ("12345", "-ilc")):
-        past = container.docker.run(
-            container.image, shell, "echo order: $ORDER", options=("--entrypoint", "bash", "--user", user, *options)
-        )
-        assert f"order: {expected}\n" in past.out, (user, shell)
+        words = ("--entrypoint", "bash", "--user", user, *options)
+        assert f"order: {expected}\n" in container.run(shell, "echo order: $ORDER", options=words).out, (user, shell)
 
 
 @pytest.mark.parametrize(
@@ -429,7 +411,7 @@ def test_what_an_overlay_does_to_the_shell_is_not_done_to_the_command(
 ) -> None:
     (tmp_path / "setup.bash").write_text(text + "\n")
     options = mount(tmp_path, f"{WORKSPACE}/install")
-    for environment in ({}, {"DOCKER_UID": "1000", "DOCKER_GID": "1000"}):
+    for environment in ({}, USER):
         done = container.run("printf", "<%s>", "a xb", "*", options=(*options, *env(environment)))
         assert (done.code, done.out, done.err) == (0, "<a xb><*>", "")
 
@@ -445,6 +427,8 @@ def test_an_overlay_that_ends_the_shell_is_told(container: Container, tmp_path: 
 
 # ---- Interactive shells ----------------------------------------------------------------------------------------------
 
+INTERACTIVE = ("run", "--rm", "--interactive", "--tty", "--network", "none")
+
 BANNER = re.compile(
     r"ROS +Debian \(ROS 1\)\n +OS +Debian GNU/Linux 12 \(bookworm\), \w+\n +Python +3\.11\.\d+\n +CMake +3"
 )
@@ -452,14 +436,12 @@ BANNER = re.compile(
 
 def test_a_banner_in_interactive_shells_alone(container: Container) -> None:
     docker, image = container.docker, container.image
-    interactive = ("run", "--rm", "--interactive", "--tty", "--network", "none")
-    said = docker.talk((*interactive, image), "bash -i\nexit\nexit\n")
-    assert len(BANNER.findall(said)) == 1, f"once, and not in the shell within the shell:\n{said}"
-    assert re.search(r"GPUs +none", said)
-    user = ("--env", "DOCKER_UID=1000", "--env", "DOCKER_GID=1000")
-    assert BANNER.search(docker.talk((*interactive, *user, image), "exit\n"))
-    assert not BANNER.search(docker.talk((*interactive, "--env", "ROSML_BANNER=off", image), "exit\n"))
-    assert not BANNER.search(docker.talk((*interactive, image, "bash", "-c", "true")))
+    shells = docker.talk((*INTERACTIVE, image), "bash -i\nexit\nexit\n")
+    assert len(BANNER.findall(shells)) == 1, f"once, and not in the shell within the shell:\n{shells}"
+    assert re.search(r"GPUs +none", shells)
+    assert BANNER.search(docker.talk((*INTERACTIVE, *env(USER), image), "exit\n"))
+    assert not BANNER.search(docker.talk((*INTERACTIVE, "--env", "ROSML_BANNER=off", image), "exit\n"))
+    assert not BANNER.search(docker.talk((*INTERACTIVE, image, "bash", "-c", "true")))
     assert container.run("bash", "-c", "true").out == ""
 
 
@@ -482,9 +464,8 @@ def test_an_interactive_shell_leaves_no_trace_in_the_environment(container: Cont
 
 def test_commands_of_ros_are_completed(container: Container) -> None:
     """What completes them is loaded on the first TAB; functions such as roscd are there."""
-    interactive = ("run", "--rm", "--interactive", "--tty", "--network", "none", "--env", "ROSML_BANNER=off")
-    said = container.docker.talk((*interactive, container.image), "vcs imp\t--help\nexit\n")
-    assert "usage: vcs import" in said
+    words = (*INTERACTIVE, "--env", "ROSML_BANNER=off", container.image)
+    assert "usage: vcs import" in container.docker.talk(words, "vcs imp\t--help\nexit\n")
     assert container.run("bash", "-ic", "type -t roscd").out == "function\n"
 
 
@@ -492,7 +473,7 @@ def test_commands_of_ros_are_completed(container: Container) -> None:
     ("environment", "command", "most"),
     [
         ({}, ("sh", "-c"), 30),
-        ({"DOCKER_UID": "1000", "DOCKER_GID": "1001"}, ("sh", "-c"), 60),
+        (USER, ("sh", "-c"), 60),
         ({}, ("bash", "-ic"), 60),
     ],
     ids=["root", "user", "interactive shell"],
@@ -537,8 +518,7 @@ def test_other_images_work_whoever_starts_them(other: tuple[str, Container], who
     target, container = other
     options, expected = STARTED_BY[who]
     script = f'python3 -c "$PROGRAM" >/dev/null; echo "$(id -u):$(id -g) $HOME"; touch {"/tmp" if who == "read-only" else "~"}/mine'
-    said = container.bash(script, options=options, PROGRAM=OTHERS[target], TF_CPP_MIN_LOG_LEVEL="3")
-    assert said == expected
+    assert container.bash(script, options=options, PROGRAM=OTHERS[target], TF_CPP_MIN_LOG_LEVEL="3") == expected
 
 
 # ---- rosml run -------------------------------------------------------------------------------------------------------
@@ -546,8 +526,8 @@ def test_other_images_work_whoever_starts_them(other: tuple[str, Container], who
 
 @pytest.fixture
 def person(container: Container) -> Iterator[Person]:
-    with somebody(container.docker) as found:
-        yield found
+    with somebody(container.docker) as person:
+        yield person
 
 
 def test_rosml_run_starts_an_image_as_the_person(container: Container, person: Person) -> None:

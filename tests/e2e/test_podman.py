@@ -36,15 +36,15 @@ def person(request: pytest.FixtureRequest) -> Iterator[Person]:
     home.mkdir()
     runtime.mkdir(mode=0o700)
     limits = {name: min(resource.getrlimit(kind)[1], 4096) for name, kind in LIMITS.items()}
-    wanted = [f"{name}={limit}:{limit}" for name, limit in limits.items()]
+    ulimits = [f"{name}={limit}:{limit}" for name, limit in limits.items()]
     (folder / "containers.conf").write_text(
-        f'[containers]\ndefault_ulimits = {json.dumps(wanted)}\n[engine]\nruntime = "runc"\ncgroup_manager = "cgroupfs"\n'
+        f'[containers]\ndefault_ulimits = {json.dumps(ulimits)}\n[engine]\nruntime = "runc"\ncgroup_manager = "cgroupfs"\n'
     )
     (folder / "storage.conf").write_text(
         f'[storage]\ndriver = "overlay"\ngraphroot = "{home}/storage"\nrunroot = "{runtime}/storage"\n'
     )
-    found = Person(home, os.geteuid())
-    found.environment = {
+    person = Person(home, os.geteuid())
+    person.environment = {
         "ROSML_ENGINE": "podman",
         "CONTAINERS_CONF": str(folder / "containers.conf"),
         "CONTAINERS_STORAGE_CONF": str(folder / "storage.conf"),
@@ -60,10 +60,10 @@ def person(request: pytest.FixtureRequest) -> Iterator[Person]:
                 file.write(f"somebody:x:{UID}:{UID}::{home}:/bin/sh\n" if name == "passwd" else f"somebody:x:{UID}:\n")
         for name in ("subuid", "subgid"):
             (folder / name).write_text("somebody:1000000:65536\n")
-        found.uid = UID
-        found.become = ["unshare", "--mount", "sh", "-c", BECOME, str(folder)]
-    yield found
-    found.other("podman", "rm", "--all", "--force")
+        person.uid = UID
+        person.become = ["unshare", "--mount", "sh", "-c", BECOME, str(folder)]
+    yield person
+    person.other("podman", "rm", "--all", "--force")
     for pause in runtime.rglob("pause.pid"):
         with suppress(ProcessLookupError):
             os.kill(int(pause.read_text()), 9)

@@ -95,8 +95,8 @@ def joined(services: Services, image_set: ImageSet, registry: Any, published: Pu
     content = {**manifests[0], "layers": manifests[0]["layers"] + manifests[1]["layers"]}
     content["config"] = {**content["config"], "digest": registry.put_blob(repository, config), "size": len(config)}
     described = [(part.repository, part.digest) for part in parts]
-    made = contents.attach(services, image_set, registry, described, LOG.info)
-    return Joined(parts, repository, put(registry, repository, "latest", content), sbom.Shelf(registry, made))
+    artifacts = contents.attach(services, image_set, registry, described, LOG.info)
+    return Joined(parts, repository, put(registry, repository, "latest", content), sbom.Shelf(registry, artifacts))
 
 
 JARS = "**/*.[jwep]ar"
@@ -120,7 +120,7 @@ def version(package: dict[str, Any], of: str = "") -> str:
     return f"{epoch}:" * bool(epoch) + f"{upstream or ''}" + f"-{release}" * bool(release)
 
 
-def found(report: dict[str, Any]) -> set[tuple[str, str, str]]:
+def findings(report: dict[str, Any]) -> set[tuple[str, str, str]]:
     """Advisory, package and version of all that trivy reports."""
     return {
         (it["VulnerabilityID"], it["PkgName"], it["InstalledVersion"])
@@ -173,10 +173,10 @@ def test_builds_say_of_images_what_trivy_reads_in_them(
     arguments = ("--format", "json", "--scanners", "vuln", "--list-all-pkgs", "--skip-db-update", "--skip-files", JARS)
     trivy.run("image", "--output", str(file), "--image-src", "remote", *arguments, reference, seconds=600)
     read = json.loads(file.read_text())
-    assert found(read) == parts
+    assert findings(read) == parts
     assert len(parts) > 2
-    said = [trivy.scan(joined.shelf.load(part.repository, part.digest).content, part.name) for part in joined.parts]
-    assert packages_of(result for report in said for result in report.Results or []) == packages_of(
+    reports = [trivy.scan(joined.shelf.load(part.repository, part.digest).content, part.name) for part in joined.parts]
+    assert packages_of(result for report in reports for result in report.Results or []) == packages_of(
         Result.model_validate(result) for result in read["Results"]
     )
 
@@ -184,10 +184,10 @@ def test_builds_say_of_images_what_trivy_reads_in_them(
 def test_a_database_that_is_too_old(
     trivy: Trivy, rules: policy.Rules, registry: Any, joined: Joined, tmp_path: Path
 ) -> None:
-    old = Trivy(trivy.program, trivy.version, tmp_path, trivy.environment)
+    outdated = Trivy(trivy.program, trivy.version, tmp_path, trivy.environment)
     write_database(tmp_path / "db", UPDATED - timedelta(days=9))
     image = judge.Image("joined", NATIVE, joined.parts)
-    (scanned,) = judge.scan_images([image], rules, judge.Scanner(old, joined.shelf), datetime.now(UTC))
+    (scanned,) = judge.scan_images([image], rules, judge.Scanner(outdated, joined.shelf), datetime.now(UTC))
     assert scanned.outcome is Outcome.SCANNER_FAILED
     assert "was made 9 days ago" in scanned.reason
 
@@ -208,6 +208,6 @@ def test_a_lock_is_scanned_as_the_part_that_is_made_of_it(
 ) -> None:
     """numpy, of which the database knows something, is found in each lock that pins it, and in no other."""
     texts = {path: (ROOT / path).read_text() for path in image_set.part_by_name["common-cu128-py311"].locks}
-    (found,) = locked.refused(image_set, texts, rules, trivy, datetime.now(UTC), LOG.info)
-    assert (found.package, found.id, found.fixed) == ("numpy", "CVE-2026-90004", "99.0")
-    assert set(found.locks) == texts.keys() and found.images
+    (finding,) = locked.refused(image_set, texts, rules, trivy, datetime.now(UTC), LOG.info)
+    assert (finding.package, finding.id, finding.fixed) == ("numpy", "CVE-2026-90004", "99.0")
+    assert set(finding.locks) == texts.keys() and finding.images

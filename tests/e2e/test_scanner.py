@@ -91,8 +91,8 @@ class Place:
         }
         digest = put(client, "images/small", "latest", content)
         part = Part("small", self.secure.host, "images/small", digest, True)
-        found = packages.read((folder / "out/packages.json").read_bytes())
-        document = packages.cyclonedx(found, part.reference)
+        listed = packages.read((folder / "out/packages.json").read_bytes())
+        document = packages.cyclonedx(listed, part.reference)
         subject = oci.descriptor(oci.IMAGE, oci.encoded(content))
         artifact = client.attach(part.repository, subject, sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT)
         return part, sbom.Shelf(client, {digest: artifact})
@@ -100,8 +100,8 @@ class Place:
 
 @pytest.fixture(params=["password", "tokens"])
 def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
-    with secure.used(tmp_path, request.param == "tokens", monkeypatch) as (found, services, docker):
-        yield Place(found, services, docker)
+    with secure.used(tmp_path, request.param == "tokens", monkeypatch) as (secured, services, docker):
+        yield Place(secured, services, docker)
 
 
 def test_it_finds_what_it_must(place: Place, tmp_path: Path) -> None:

@@ -37,12 +37,12 @@ class Place:
 
 @pytest.fixture(params=["password", "tokens"])
 def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
-    with secure.used(tmp_path, request.param == "tokens", monkeypatch) as (found, services, _docker):
+    with secure.used(tmp_path, request.param == "tokens", monkeypatch) as (secured, services, _docker):
         key = secure.signing_key(tmp_path / "test")
         index = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": []}
-        digest = Registry(found.host).put_manifest("images/small", "latest", index, oci.INDEX)
-        reference = f"{found.host}/images/small@{digest}"
-        yield Place(found, reference, {**services.trusting(), **key})
+        digest = Registry(secured.host).put_manifest("images/small", "latest", index, oci.INDEX)
+        reference = f"{secured.host}/images/small@{digest}"
+        yield Place(secured, reference, {**trust.trusting(services), **key})
 
 
 def test_it_signs_once_and_knows_its_signature(place: Place) -> None:

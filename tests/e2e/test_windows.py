@@ -96,12 +96,12 @@ def ended(process: subprocess.Popen[str]) -> str:
 @pytest.fixture
 def person() -> Iterator[tuple[Person, engine.Engine]]:
     """Who has a folder for the session, as a login makes it."""
-    with engine.running() as docker, somebody(docker) as found:
-        runtime = found.folder / "runtime"
+    with engine.running() as docker, somebody(docker) as somebody_here:
+        runtime = somebody_here.folder / "runtime"
         runtime.mkdir(mode=0o700)
-        os.chown(runtime, found.uid, found.uid)
-        found.environment["XDG_RUNTIME_DIR"] = str(runtime)
-        yield found, docker
+        os.chown(runtime, somebody_here.uid, somebody_here.uid)
+        somebody_here.environment["XDG_RUNTIME_DIR"] = str(runtime)
+        yield somebody_here, docker
 
 
 @pytest.mark.full(proof="desktop")
@@ -130,10 +130,10 @@ def test_rviz_opens_its_window(
         if picture := os.environ.get("ROSML_SCREENSHOT"):
             time.sleep(5)
             subprocess.run(["import", "-window", "root", picture], env={**os.environ, **environment}, check=True)
-        said = ended(process)
-        assert "RViz" in seen, seen + said
-    left = [path for path in (who.folder / "runtime").rglob("*") if path.is_file()]
-    assert [oct(path.stat().st_mode & 0o777) for path in left] == ["0o600"], "one file, for this person alone"
+        output = ended(process)
+        assert "RViz" in seen, seen + output
+    files = [path for path in (who.folder / "runtime").rglob("*") if path.is_file()]
+    assert [oct(path.stat().st_mode & 0o777) for path in files] == ["0o600"], "one file, for this person alone"
 
 
 @pytest.mark.full(proof="desktop")

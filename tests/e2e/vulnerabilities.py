@@ -70,8 +70,8 @@ def write_database(folder: Path, updated: datetime = UPDATED) -> None:
             env = installer.go_environment()
             subprocess.run([go, "build", "-trimpath", "-o", str(program), "."], cwd=module, env=env, check=True)
             installer.drop_go_caches()
-    asked = {"Updated": updated.isoformat(), "Advisories": [{**it, "PublishedBy": "test"} for it in ADVISORIES]}
-    subprocess.run([str(program), str(folder)], input=json.dumps(asked), text=True, check=True)
+    request = {"Updated": updated.isoformat(), "Advisories": [{**it, "PublishedBy": "test"} for it in ADVISORIES]}
+    subprocess.run([str(program), str(folder)], input=json.dumps(request), text=True, check=True)
 
 
 def put(registry: Registry, repository: str, reference: str, content: dict[str, Any]) -> str:
@@ -108,6 +108,6 @@ def put_database(registry: Registry, repository: str, folder: Path) -> None:
 def rules_with(*repositories: str) -> policy.Rules:
     """The project's policy, with a database from other places."""
     text = (ROOT / "scan.yaml").read_text()
-    old = next(line for line in text.splitlines() if line.startswith("  repositories:"))
-    text = text.replace(old, f"  repositories: [{', '.join(repositories)}]")
+    line_before = next(line for line in text.splitlines() if line.startswith("  repositories:"))
+    text = text.replace(line_before, f"  repositories: [{', '.join(repositories)}]")
     return policy.parsed(source.parse(text.encode(), "scan.yaml"))

@@ -58,17 +58,17 @@ def pinned() -> dict[str, str]:
     return dict(match.groups() for line in lines if (match := re.fullmatch(r"([a-z0-9-]+)==([^;]+)", line)))
 
 
-def downloaded(said: str) -> float:
-    """Megabytes that pip or uv said to download; uv is silent about small ones."""
-    sizes = re.findall(r"Downloading \S+ \(([0-9.]+) ?([kKMG]i?B)\)", said)
+def downloaded(output: str) -> float:
+    """Megabytes that pip or uv output to download; uv is silent about small ones."""
+    sizes = re.findall(r"Downloading \S+ \(([0-9.]+) ?([kKMG]i?B)\)", output)
     return sum(float(size) * UNITS[unit] for size, unit in sizes)
 
 
 def install(before: dict[str, str], *command: str) -> None:
     """Installs, and compares what the parts hold."""
     amount = downloaded(run(*command))
-    found = versions()
-    changed = {name: (version, found.get(name)) for name, version in before.items() if found.get(name) != version}
+    after = versions()
+    changed = {name: (version, after.get(name)) for name, version in before.items() if after.get(name) != version}
     assert not changed, (command, changed)
     assert amount < LIMIT, (command, amount)
     print(f"everyday: {amount:.0f} MB by {' '.join(command[:3])}", flush=True)

@@ -34,9 +34,9 @@ def folders(flags: list[str]) -> list[Path]:
     return [Path(folder) for folder in re.findall(r"(?:-isystem|-I) ?(\S+)", " ".join(flags))]
 
 
-def wanted(patterns: list[str], places: list[Path]) -> list[str]:
+def listed(patterns: list[str], places: list[Path]) -> list[str]:
     """The headers that a list names, each once, in its order."""
-    found: dict[str, None] = {}
+    headers: dict[str, None] = {}
     for pattern in patterns:
         names = [pattern]
         if "*" in pattern:
@@ -44,8 +44,8 @@ def wanted(patterns: list[str], places: list[Path]) -> list[str]:
             names = sorted(name for name in matches if name.endswith(SUFFIXES))
             if not names:
                 sys.exit(f"compile: no header is called {pattern}")
-        found.update(dict.fromkeys(names))
-    return list(found)
+        headers.update(dict.fromkeys(names))
+    return list(headers)
 
 
 def failure(headers: list[str], flags: list[str]) -> str:
@@ -66,8 +66,8 @@ def main() -> None:
     parser.add_argument("--fails", type=Path)
     options = parser.parse_args()
     flags, places = options.flags, folders(options.flags)
-    known = dict(line.split(maxsplit=1) for line in lines(options.fails)) if options.fails else {}
-    headers = wanted(lines(options.list), places)
+    failing = dict(line.split(maxsplit=1) for line in lines(options.fails)) if options.fails else {}
+    headers = listed(lines(options.list), places)
     errors: dict[str, str] = {}
     with ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         alone = pool.map(lambda header: (header, failure([header], flags)), headers)
@@ -76,9 +76,9 @@ def main() -> None:
                 print(f"compile: {number} of {len(headers)} headers were read", flush=True)
             if error:
                 errors[header] = error
-                if header not in known:  # now, and again at the end: this takes a quarter of an hour
+                if header not in failing:  # now, and again at the end: this takes a quarter of an hour
                     print(f"{header}: {error}", flush=True)
-        apart = {header for header, why in known.items() if why.startswith("together:")}
+        apart = {header for header, why in failing.items() if why.startswith("together:")}
         read = [header for header in headers if header not in errors and header not in apart]
         print(f"compile: {len(headers) - len(errors)} of {len(headers)} headers compile alone", flush=True)
         shuffled = random.Random(len(read)).sample(read, len(read))
@@ -87,12 +87,12 @@ def main() -> None:
             print(f"compile: all of them together {order}: {error or 'they compile'}", flush=True)
             if error:
                 errors[f"all together {order}"] = error
-    wrong = {header: error for header, error in errors.items() if header not in known or header in apart}
+    wrong = {header: error for header, error in errors.items() if header not in failing or header in apart}
     for header, error in wrong.items():
         print(f"{header}\n  {error}")
-    unneeded = [header for header in known if header in headers and header not in errors and header not in apart]
+    unneeded = [header for header in failing if header in headers and header not in errors and header not in apart]
     unneeded += [
-        header for header in known if header not in headers and not any((place / header).exists() for place in places)
+        header for header in failing if header not in headers and not any((place / header).exists() for place in places)
     ]
     for header in unneeded:
         print(f"{header} compiles, or is not there: remove it from {options.fails}")

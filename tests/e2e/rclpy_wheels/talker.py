@@ -37,11 +37,11 @@ def main() -> int:
     rclpy.init()
     node = rclpy.create_node("talker")
     pictures = node.create_publisher(Image, "pictures", 10)
-    found: dict[int, tuple[float, float]] = {}
+    sums_by_picture: dict[int, tuple[float, float]] = {}
 
     def hear(answer: Any) -> None:
         number, *sums = answer.data
-        found[int(number)] = (sums[0], sums[1])
+        sums_by_picture[int(number)] = (sums[0], sums[1])
 
     node.create_subscription(Float32MultiArray, "answers", hear, 10)
     deadline = time.monotonic() + SECONDS
@@ -49,16 +49,16 @@ def main() -> int:
         image = Image(height=SIDE, width=SIDE, encoding="32FC1", step=4 * SIDE)
         image.header.frame_id = str(number)
         image.data = array.array("B", array.array("f", points(number)).tobytes())
-        while number not in found and time.monotonic() < deadline:  # again, until the listener is there
+        while number not in sums_by_picture and time.monotonic() < deadline:  # again, until the listener is there
             pictures.publish(image)
             rclpy.spin_once(node, timeout_sec=0.5)
     while pictures.get_subscription_count() and time.monotonic() < deadline:
         pictures.publish(Image())
         rclpy.spin_once(node, timeout_sec=0.1)
-    wrong = [number for number in range(PICTURES) if found.get(number) != (expected(number),) * 2]
-    print(f"{len(found)} answers, wrong: {len(wrong)}", flush=True)
+    wrong = [number for number in range(PICTURES) if sums_by_picture.get(number) != (expected(number),) * 2]
+    print(f"{len(sums_by_picture)} answers, wrong: {len(wrong)}", flush=True)
     for number in wrong:
-        print(f"picture {number}: {found.get(number)}, not twice {expected(number)}", file=sys.stderr)
+        print(f"picture {number}: {sums_by_picture.get(number)}, not twice {expected(number)}", file=sys.stderr)
     node.destroy_node()
     rclpy.shutdown()
     return 1 if wrong else 0
