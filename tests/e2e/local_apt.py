@@ -9,17 +9,15 @@ from __future__ import annotations
 
 import gzip
 import hashlib
-import http.server
 import os
 import re
 import shutil
 import socket
 import subprocess
 import tempfile
-import threading
 import urllib.parse
 from collections.abc import Collection, Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -27,6 +25,7 @@ import yaml
 
 from rosml import ROOT
 from tests.e2e.calls import Run
+from tests.e2e.local_servers import Handler, serving
 
 ADDRESSES = yaml.safe_load((ROOT / "matrix.yaml").read_text())["ros_archive"]
 LIVE, SNAPSHOT, APT_SOURCE = ADDRESSES["live"], ADDRESSES["snapshot"], ADDRESSES["apt_source"]
@@ -213,22 +212,20 @@ class Server:
         self.fault = ""
         self.failures = 0
         self.requests: dict[str, int] = {}
-        self._server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), self._handler())
-        self.url = f"http://127.0.0.1:{self._server.server_port}"
-        threading.Thread(target=self._server.serve_forever, kwargs={"poll_interval": 0.05}, daemon=True).start()
+        self._stack = ExitStack()
+        self.url = f"http://{self._stack.enter_context(serving(self._handler()))}"
 
     def fail(self, fault: str, times: int) -> None:
         """From now on, the first `times` requests for each file fail: `500`, or `reset` in the middle of an answer."""
         self.fault, self.failures, self.requests = fault, times, {}
 
     def close(self) -> None:
-        self._server.shutdown()
-        self._server.server_close()
+        self._stack.close()
 
-    def _handler(self) -> type[http.server.BaseHTTPRequestHandler]:
+    def _handler(self) -> type[Handler]:
         server = self
 
-        class Handler(http.server.BaseHTTPRequestHandler):
+        class Host(Handler):
             def do_GET(self) -> None:
                 url = urllib.parse.urlsplit(self.path)
                 path = f"{url.hostname or ''}/{urllib.parse.unquote(url.path).lstrip('/')}".lstrip("/")
@@ -239,20 +236,15 @@ class Server:
                     self.send_error(500)
                 elif not file.is_file():
                     self.send_error(404)
-                else:
+                elif failing:
                     data = file.read_bytes()
-                    self.send_response(200)
-                    self.send_header("Content-Length", str(len(data)))
-                    self.end_headers()
-                    self.wfile.write(data[: len(data) // 2] if failing else data)
-                    if failing:
-                        self.close_connection = True
-                        self.connection.shutdown(socket.SHUT_RDWR)
+                    self.reply(200, data[: len(data) // 2], {"Content-Length": str(len(data))})
+                    self.close_connection = True
+                    self.connection.shutdown(socket.SHUT_RDWR)
+                else:
+                    self.reply(200, file.read_bytes())
 
-            def log_message(self, format: str, *args: object) -> None:
-                pass
-
-        return Handler
+        return Host
 
 
 # ---- The image -------------------------------------------------------------------------------------------------------

@@ -11,13 +11,11 @@ import re
 import socket
 import ssl
 import subprocess
-import threading
 import time
 import uuid
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
@@ -31,6 +29,7 @@ from rosml import ROOT
 from rosml.machine.services import Services
 from rosml.machine.setup import network
 from tests.e2e.calls import succeeds
+from tests.e2e.local_servers import Handler, serving
 
 NAME, PASSWORD = "robot+ci", "p4ss:wörd/with=odd&letters"
 ISSUER, SERVICE = "a test", "a registry"
@@ -156,7 +155,7 @@ def running(folder: Path, secured: Secure, auth: Mapping[str, object]) -> Iterat
     """Runs the registry's program with TLS and users."""
     tls = {"certificate": str(folder / "chain.pem"), "key": str(folder / "key.pem")}
     config = {"http": {"addr": secured.host, "tls": tls}, "auth": auth}
-    with serving(folder, secured.storage, config):
+    with registry_program(folder, secured.storage, config):
         yield
 
 
@@ -165,12 +164,12 @@ def plain(folder: Path, deletes: bool) -> Iterator[str]:
     """Starts a registry on this machine that speaks plain http to anybody, and deletes, or refuses to; gives its address."""
     folder.mkdir()
     address = f"127.0.0.1:{network.free_port()}"
-    with serving(folder, folder / "storage", {"http": {"addr": address}}, deletes):
+    with registry_program(folder, folder / "storage", {"http": {"addr": address}}, deletes):
         yield address
 
 
 @contextmanager
-def serving(folder: Path, storage: Path, settings: Mapping[str, Any], deletes: bool = True) -> Iterator[None]:
+def registry_program(folder: Path, storage: Path, settings: Mapping[str, Any], deletes: bool = True) -> Iterator[None]:
     """Runs the registry's program.
 
     Args:
@@ -208,7 +207,7 @@ def tokens(folder: Path, secured: Secure, leaf: trustme.LeafCert, users: Mapping
     key = leaf.private_key_pem.bytes().decode()
     chain = [base64.b64encode(ssl.PEM_cert_to_DER_cert(pem.bytes().decode())).decode() for pem in leaf.cert_chain_pems]
 
-    class Handler(BaseHTTPRequestHandler):
+    class Issuer(Handler):
         def do_GET(self) -> None:
             header = self.headers.get("Authorization", "")
             name = next((name for name in users if header == f"Basic {encoded(name, PASSWORD)}"), "")
@@ -233,21 +232,10 @@ def tokens(folder: Path, secured: Secure, leaf: trustme.LeafCert, users: Mapping
             self.answer(405, {})
 
         def answer(self, code: int, content: Mapping[str, object]) -> None:
-            data = json.dumps(content).encode()
-            self.send_response(code)
-            self.send_header("Content-Length", str(len(data)))
-            self.end_headers()
-            self.wfile.write(data)
-
-        def log_message(self, format: str, *args: object) -> None:
-            pass
+            self.reply(code, json.dumps(content).encode())
 
     address = secured.host.rpartition(":")[0]
     context = ssl.create_default_context(ssl.Purpose.CLIENT_AUTH)
     context.load_cert_chain(folder / "chain.pem", folder / "key.pem")
-    with ThreadingHTTPServer((address, 0), Handler) as server:
-        server.daemon_threads = True
-        server.socket = context.wrap_socket(server.socket, server_side=True, do_handshake_on_connect=False)
-        threading.Thread(target=server.serve_forever, kwargs={"poll_interval": 0.05}, daemon=True).start()
-        yield f"https://{address}:{server.server_port}/token"
-        server.shutdown()
+    with serving(Issuer, address, context) as place:
+        yield f"https://{place}/token"

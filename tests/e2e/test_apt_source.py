@@ -444,77 +444,37 @@ def mirrored_source(local: LocalDistribution) -> None:
     local.image.write("etc/apt/sources.list.d/mine.sources", f"Types: deb\nURIs: {address}\n")
 
 
+def to_bionic(local: LocalDistribution) -> None:
+    local.image.write("usr/lib/os-release", 'NAME="Ubuntu"\nVERSION_CODENAME=bionic\n')
+
+
 def other_live_address(local: LocalDistribution) -> None:
     local.arguments["ROS_LIVE_ADDRESS"] = "http://live.test/ros2/ubuntu"
 
 
-BIONIC = 'NAME="Ubuntu"\nVERSION_CODENAME=bionic\n'
-
 FAULTS: dict[str, tuple[str, Callable[[LocalDistribution], object], str, str]] = {
     "wrong hash": ("jazzy", other_hash, "and not the pinned 000", "pin its digest"),
     "no such release": ("jazzy", other_release, "does not exist", "check apt_sources"),
-    "wrong key in the package": (
-        *("jazzy", lambda local: local.pin("stranger")),
-        *("another key than", "put the key of that release"),
-    ),
-    "wrong suite in the package": (
-        *("jazzy", lambda local: local.pin("live", codename="jammy")),
-        *("does not say 'Suites: noble'", "apt_sources"),
-    ),
-    "wrong key, live": (
-        *("jazzy", lambda local: local.repository.publish("stranger")),
-        *("which is not a pinned one", "check the mirror"),
-    ),
+    "wrong key in the package": ("jazzy", lambda it: it.pin("stranger"), "another key than", "put the key of that release"),
+    "wrong suite in the package": ("jazzy", lambda it: it.pin("live", "jammy"), "not say 'Suites: noble'", "apt_sources"),
+    "wrong key": ("jazzy", lambda it: it.repository.publish("stranger"), "which is not a pinned one", "check the mirror"),
     "expired key, live": ("jazzy", expired, "key of an apt source has expired", "pin a newer release"),
     "expired key, final": ("iron", expired, "key of an apt source has expired", "prolonged key"),
-    "snapshot in the place of live": (
-        *("jazzy", lambda local: local.repository.publish("snapshots")),
-        *("other key, of components/ros/keys/snapshots.asc", "mixed up"),
-    ),
-    "live in the place of the snapshot": (
-        *("iron", lambda local: local.repository.publish("live")),
-        *("other key, of components/ros/keys/live.asc", "mixed up"),
-    ),
+    "snapshot for live": ("jazzy", lambda it: it.repository.publish("snapshots"), "keys/snapshots.asc", "mixed up"),
+    "live for the snapshot": ("iron", lambda it: it.repository.publish("live"), "keys/live.asc", "mixed up"),
     "changed index": ("iron", changed_index, "no valid signature", "check the mirror"),
-    "wrong base image": (
-        *("jazzy", lambda local: local.image.write("usr/lib/os-release", BIONIC)),
-        *("is 'bionic', and matrix.yaml says 'noble'", "check image"),
-    ),
-    "wrong suite, live": (
-        *("jazzy", lambda local: local.publish(says="bionic")),
-        *("has the suite 'bionic' in the place of 'noble'", "check the mirror"),
-    ),
-    "no such package": (
-        *("jazzy", lambda local: local.remove("ros-core")),
-        *("no apt source has a package", "{channel: final}"),
-    ),
-    "no such dependency": ("jazzy", lambda local: local.remove("ros2cli"), "ros-jazzy-ros2cli", "universe"),
+    "wrong base image": ("jazzy", to_bionic, "is 'bionic', and matrix.yaml says 'noble'", "check image"),
+    "wrong suite": ("jazzy", lambda it: it.publish(says="bionic"), "suite 'bionic' in the place of 'noble'", "check the mirror"),
+    "no such package": ("jazzy", lambda it: it.remove("ros-core"), "no apt source has a package", "{channel: final}"),
+    "no such dependency": ("jazzy", lambda it: it.remove("ros2cli"), "ros-jazzy-ros2cli", "universe"),
     "changed package": ("jazzy", changed_package, "packages did not arrive, after 5 tries", "ROS_APT_MIRROR"),
-    "no such snapshot": (
-        *("iron", lambda local: shutil.rmtree(local.repository.folder)),
-        *("no such apt repository", "check 'apt' and 'codename'"),
-    ),
-    "a source that is there already": (
-        *("jazzy", second_source),
-        *("already (/etc/apt/sources.list.d/mine.list)", "without one"),
-    ),
-    "a mirror's source that is there already": (
-        *("jazzy", mirrored_source),
-        *("already (/etc/apt/sources.list.d/mine.sources)", "without"),
-    ),
-    "wrong address in the package": (
-        *("jazzy", other_live_address),
-        *("not say 'URIs: http://live.test", "check ros_archive"),
-    ),
-    "always failing, live": (
-        *("jazzy", lambda local: local.server.fail("500", 1000)),
-        *("does not answer, after 5 tries", "ROS_APT_MIRROR"),
-    ),
-    "unreachable, final": (
-        *("iron", lambda local: local.server.close()),
-        *("does not answer, after 5 tries", "ROS_APT_MIRROR"),
-    ),
-}
+    "no such snapshot": ("iron", lambda it: shutil.rmtree(it.repository.folder), "no such apt repository", "check 'apt' and"),
+    "a second source": ("jazzy", second_source, "already (/etc/apt/sources.list.d/mine.list)", "without one"),
+    "a mirror's source": ("jazzy", mirrored_source, "already (/etc/apt/sources.list.d/mine.sources)", "without"),
+    "wrong address in the package": ("jazzy", other_live_address, "not say 'URIs: http://live.test", "check ros_archive"),
+    "always failing": ("jazzy", lambda it: it.server.fail("500", 1000), "not answer, after 5 tries", "ROS_APT_MIRROR"),
+    "unreachable": ("iron", lambda it: it.server.close(), "not answer, after 5 tries", "ROS_APT_MIRROR"),
+}  # fmt: skip
 """A distribution of the matrix, what goes wrong, what is said about it, and what the remedy names."""
 
 

@@ -11,7 +11,6 @@ import shlex
 import shutil
 import subprocess
 import tempfile
-import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -25,6 +24,7 @@ from rosml.machine.services import Services
 from tests.e2e.app_builds import build_app, commit, write
 from tests.e2e.calls import NAMESPACE, rosml
 from tests.e2e.images import Publish, build, build_file, buildx
+from tests.e2e.local_servers import serving
 
 EXAMPLES = ROOT / "examples"
 HERE = Path(__file__).parent / "examples_base"
@@ -264,13 +264,8 @@ def private(folder: Path, password: str) -> Iterator[str]:
             self.send_header("WWW-Authenticate", 'Basic realm="private"')
             self.end_headers()
 
-        def log_message(self, format: str, *args: object) -> None:
-            """Says nothing."""
-
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), Server) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        yield f"127.0.0.1:{server.server_port}"
-        server.shutdown()
+    with serving(Server) as address:
+        yield address
 
 
 def test_ci(services: Services, published: Publish, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

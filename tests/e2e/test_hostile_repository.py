@@ -4,12 +4,10 @@ no commands to a terminal or a forge."""
 from __future__ import annotations
 
 import contextlib
-import http.server
 import json
 import re
 import secrets
 import socket
-import threading
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -21,6 +19,7 @@ from rosml.machine.services import Services
 from rosml.registry import oci
 from tests.e2e.app_builds import CANARY, build_app, containerize, log_of, package
 from tests.e2e.calls import NAMESPACE
+from tests.e2e.local_servers import Handler, serving
 
 HARM = r"""set -eu
 say() { printf '\033]52;c;aGFybQ==\007\033[8m%s\n::error::harm\n##[add-mask]harm\n' "$1"; }
@@ -146,19 +145,15 @@ def test_code_of_a_repository_reaches_no_service_of_the_machine(base: str, servi
 def test_a_mirror_on_the_machine_is_reached(base: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """By steps that have the machine's network, which is said: the repository's code has it as well."""
 
-    class Mirror(http.server.BaseHTTPRequestHandler):
+    class Mirror(Handler):
         def do_GET(self) -> None:
-            self.send_response(302)
-            self.send_header("Location", f"http:/{self.path}")
-            self.end_headers()
+            self.reply(302, headers={"Location": f"http:/{self.path}"})
 
-    with listening() as places, http.server.ThreadingHTTPServer(("127.0.0.1", 0), Mirror) as server:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
+    with listening() as places, serving(Mirror) as address:
         folder = nosy(tmp_path / "harm", places)
         (folder / "docker/before_dependency_identification.sh").unlink()
-        monkeypatch.setenv("OS_APT_MIRROR", f"http://127.0.0.1:{server.server_port}")
+        monkeypatch.setenv("OS_APT_MIRROR", f"http://{address}")
         outcome = containerize(folder, {"base-image": base, "command": "true"})
-        server.shutdown()
     assert "OS_APT_MIRROR: on this machine, so steps of the build share its network" in outcome.err
     assert "custom asked; reached [('127.0.0.1'" in json.loads(outcome.out)["error"]
 

@@ -117,9 +117,9 @@ class LocalDistribution:
         self.repository.debs = debs
         self.repository.publish("ours")
 
-    def pin(self, text: str) -> None:
-        """Writes the file of the key."""
-        (self.image.components / "archive-keys/key.asc").write_text(text)
+    @property
+    def key(self) -> Path:
+        return self.image.components / "archive-keys/key.asc"
 
 
 @pytest.fixture
@@ -141,7 +141,7 @@ def ours(tmp_path: Path, keys: Keys, archive: tuple[Server, Repository]) -> Loca
     (tmp_path / "image").mkdir()
     server, repository = archive
     local = LocalDistribution(keys, server, repository, Image(tmp_path / "image", "trixie"), arguments)
-    local.pin(keys.armored("ours"))
+    local.key.write_text(keys.armored("ours"))
     return local
 
 
@@ -170,32 +170,17 @@ def moved(local: LocalDistribution) -> None:
     local.arguments["core"]["ROS_SYNC_DATE"] = "2026-11-13T00:00:00Z"
 
 
-NO_PACKAGE = "no apt source has a package"
-NO_KEY = "components/archive-keys/ours.asc is no public key"
-
 FAULTS: dict[str, tuple[Callable[[LocalDistribution], object], str, str]] = {
     "not signed": (unsigned, "has no valid signature", "check the mirror"),
-    "signed by another key": (
-        lambda local: local.repository.publish("stranger"),
-        *("which is not a pinned one", "components/archive-keys"),
-    ),
-    "another suite": (
-        lambda local: local.repository.publish("ours", says="sid"),
-        *("has the suite 'sid' in the place of 'bookworm'", "check the mirror"),
-    ),
-    "empty": (lambda local: local.offer([]), NO_PACKAGE, "check its name in matrix.yaml, and whether http"),
-    "without the metapackage": (
-        lambda local: local.offer(local.repository.debs[1:]),
-        *(NO_PACKAGE, "check its name in matrix.yaml"),
-    ),
-    "no key": (lambda local: local.pin(""), NO_KEY, "gpg --armor --export"),
-    "a page in the place of the key": (lambda local: local.pin("<html>not found</html>\n"), NO_KEY, "gpg --armor"),
-    "no archive": (
-        lambda local: shutil.rmtree(local.repository.folder),
-        *("there is no such apt repository", "'archive', in matrix.yaml"),
-    ),
+    "another key": (lambda it: it.repository.publish("stranger"), "which is not a pinned one", "components/archive-keys"),
+    "another suite": (lambda it: it.repository.publish("ours", "sid"), "'sid' in the place of 'bookworm'", "check the mirror"),
+    "empty": (lambda it: it.offer([]), "no apt source has a package", "check its name in matrix.yaml, and whether http"),
+    "no metapackage": (lambda it: it.offer(it.repository.debs[1:]), "no apt source has a package", "check its name in matrix"),
+    "no key": (lambda it: it.key.unlink(), "components/archive-keys/ours.asc is no public key", "gpg --armor --export"),
+    "a page for the key": (lambda it: it.key.write_text("<html>not found</html>\n"), "ours.asc is no public key", "gpg --armor --export"),
+    "no archive": (lambda it: shutil.rmtree(it.repository.folder), "there is no such apt repository", "'archive', in matrix"),
     "moved meanwhile": (moved, f"is of {WHEN}, and not of 2026-11-13T00:00:00Z any more", "run it again"),
-}
+}  # fmt: skip
 """What goes wrong, what is said about it, and what the remedy names."""
 
 

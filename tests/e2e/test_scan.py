@@ -9,7 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -179,17 +179,6 @@ def test_builds_say_of_images_what_trivy_reads_in_them(
     assert packages_of(result for report in reports for result in report.Results or []) == packages_of(
         Result.model_validate(result) for result in read["Results"]
     )
-
-
-def test_a_database_that_is_too_old(
-    trivy: Trivy, rules: policy.Rules, registry: Any, joined: Joined, tmp_path: Path
-) -> None:
-    outdated = Trivy(trivy.program, trivy.version, tmp_path, trivy.environment)
-    write_database(tmp_path / "db", UPDATED - timedelta(days=9))
-    image = judge.Image("joined", NATIVE, joined.parts)
-    (scanned,) = judge.scan_images([image], rules, judge.Scanner(outdated, joined.shelf), datetime.now(UTC))
-    assert scanned.outcome is Outcome.SCANNER_FAILED
-    assert "was made 9 days ago" in scanned.reason
 
 
 def test_a_damaged_database(trivy: Trivy, joined: Joined, database: Database, tmp_path: Path) -> None:

@@ -28,7 +28,7 @@ from tests.e2e import mini as minis
 from tests.e2e.calls import LOG, rosml
 from tests.e2e.images import NATIVE
 from tests.e2e.mini import Mini
-from tests.e2e.moody import moody
+from tests.e2e.moody import Mood, moody
 
 SCANNER = """\
 #!{python} -IS
@@ -263,25 +263,30 @@ def tagged(mini: Mini) -> set[str]:
     return {image.target for image in mini.image_set.images if image.tags[0] in tags}
 
 
-@pytest.mark.full(proof="night")
-def test_a_night_in_which_much_goes_wrong(mini: Mini, tmp_path: Path) -> None:
-    """A test fails in one row, a stack has no lock, the registry refuses a push three times, and the time of a shard is over: all
-    else gets its tags, and one page says why the rest did not. The next night does what is left."""
-    mini = rehearsed(mini, tmp_path / "project")
-    refusals, refused = ["403", "403", "503"], list[str]()
+def refusing(refused: list[str]) -> Mood:
+    """Refuses the first push of an image, as often as it comes, up to three times; notes what it refused."""
+    refusals = ["403", "403", "503"]
 
     def mood(_number: int, request: str) -> str:
-        """Refuses the first push of an image, as often as it comes."""
         push = re.match(r"PUT (\S+/ros/manifests/\S+) buildkit/", request)
         if not push or not refusals or push[1] not in (refused or push[1]):
             return ""
         refused.append(push[1])
         return refusals.pop(0)
 
+    return mood
+
+
+@pytest.mark.full(proof="night")
+def test_a_night_in_which_much_goes_wrong(mini: Mini, tmp_path: Path) -> None:
+    """A test fails in one row, a stack has no lock, the registry refuses a push three times, and the time of a shard is over: all
+    else gets its tags, and one page says why the rest did not. The next night does what is left."""
+    mini = rehearsed(mini, tmp_path / "project")
+    refused: list[str] = []
     late = f"{NATIVE}-3"
     limit = f"--minutes ${{{{ matrix.shard.name == '{late}' && '{MINUTES}' || '300' }}}}"
     text = workflow("nightly").replace("--minutes 300", limit)
-    with moody(mini.services.registry, mood) as host:
+    with moody(mini.services.registry, refusing(refused)) as host:
         first = night(mini, tmp_path / "first", text=text, host=host)
     assert first.results == {**dict.fromkeys(first.results, "success"), **QUIET, "images": "failure"}
     shards = json.loads((first.artifacts / "plan/plan.json").read_text())["shards"]

@@ -52,7 +52,7 @@ def installed(folder: Path, environment: Mapping[str, str]) -> Trivy:
         pytest.fail(f"{error.message}: {error.remedy}", pytrace=False)
 
 
-def write_database(folder: Path, updated: datetime = UPDATED) -> None:
+def write_database(folder: Path) -> None:
     """Writes a database with the program of `trivy_db`, which is built where it is not there yet."""
     module = ROOT / "tests" / "e2e" / "trivy_db"
     content = hashlib.sha256(b"".join((module / name).read_bytes() for name in ("main.go", "go.mod", "go.sum")))
@@ -70,7 +70,7 @@ def write_database(folder: Path, updated: datetime = UPDATED) -> None:
             env = installer.go_environment()
             subprocess.run([go, "build", "-trimpath", "-o", str(program), "."], cwd=module, env=env, check=True)
             installer.drop_go_caches()
-    request = {"Updated": updated.isoformat(), "Advisories": [{**it, "PublishedBy": "test"} for it in ADVISORIES]}
+    request = {"Updated": UPDATED.isoformat(), "Advisories": [{**it, "PublishedBy": "test"} for it in ADVISORIES]}
     subprocess.run([str(program), str(folder)], input=json.dumps(request), text=True, check=True)
 
 
