@@ -6,7 +6,6 @@ import os
 import re
 import signal
 import subprocess
-import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -15,6 +14,7 @@ from pathlib import Path
 from rosml import ROOT
 from rosml.machine.services import Services
 from rosml.machine.setup.builder import config
+from tests.e2e.calls import wait_until
 
 
 @dataclass
@@ -57,10 +57,7 @@ def builder(
         )
     buildx = [*services.buildx]
     try:
-        deadline = time.monotonic() + 30
-        while not socket.exists():
-            assert process.poll() is None and time.monotonic() < deadline, (folder / "log").read_text()[-2000:]
-            time.sleep(0.1)
+        wait_until(socket.exists, 30, lambda: (folder / "log").read_text()[-2000:], process)
         create = [*buildx, "create", "--name", name, "--driver", "remote", f"unix://{socket}"]
         subprocess.run(create, env=services.environment(), check=True, capture_output=True)
         yield Builder(name, process, folder)

@@ -6,8 +6,11 @@ import logging
 import os
 import subprocess
 import sys
+import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from rosml import ROOT
 
@@ -56,6 +59,16 @@ def succeeds(*command: str, cwd: Path = ROOT, env: dict[str, str] | None = None)
 def rosml(*words: str, root: Path = ROOT, env: dict[str, str] | None = None) -> Run:
     """A call of a checkout's rosml that must end with 0."""
     return succeeds(sys.executable, str(root / "src"), *words, cwd=root, env=env)
+
+
+def wait_until(
+    done: Callable[[], bool], seconds: float, state: Callable[[], object], process: subprocess.Popen[Any] | None = None
+) -> None:
+    """Waits for something; fails with its state after some seconds, or once a process has ended."""
+    end = time.monotonic() + seconds
+    while not done():
+        assert (process is None or process.poll() is None) and time.monotonic() < end, state()
+        time.sleep(0.1)
 
 
 def publish(target: str, *options: str, root: Path = ROOT) -> Run:

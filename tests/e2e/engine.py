@@ -14,14 +14,14 @@ import shutil
 import subprocess
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from rosml.machine.services import Services
 from tests.e2e import images
-from tests.e2e.calls import Run, run
+from tests.e2e.calls import Run, run, wait_until
 
 START_SECONDS = 60.0
 DAEMONS = ("/usr/sbin/dockerd", "/usr/bin/dockerd", "/usr/local/bin/dockerd")
@@ -45,6 +45,21 @@ def missing() -> str:
     if shutil.which("docker") is None or daemon() is None:
         return "no Docker answers, and dockerd is not installed (apt-get install docker.io)"
     return "" if os.geteuid() == 0 else "no Docker answers, and starting dockerd needs root"
+
+
+def terminal_output(terminal: int, seconds: float, ended: Callable[[bytes], bool]) -> str:
+    """What is said on a terminal until it is closed, or nothing more comes and it has ended, by what was said so far."""
+    output, end = b"", time.monotonic() + seconds
+    while time.monotonic() < end:
+        if select.select([terminal], [], [], 0.2)[0]:
+            with suppress(OSError):  # the other end was closed
+                if data := os.read(terminal, 65536):
+                    output += data
+                    continue
+            break
+        if ended(output):
+            break
+    return output.decode(errors="replace").replace("\r", "")
 
 
 @dataclass(frozen=True)
@@ -72,22 +87,12 @@ class Engine:
         process = subprocess.Popen(self.command(*arguments), stdin=slave, stdout=slave, stderr=slave, close_fds=True)
         os.close(slave)
         os.write(master, typed.encode())
-        output, end = b"", time.monotonic() + seconds
         try:
-            while time.monotonic() < end:
-                if select.select([master], [], [], 0.2)[0]:
-                    with suppress(OSError):  # the other end was closed
-                        if data := os.read(master, 65536):
-                            output += data
-                            continue
-                    break
-                if process.poll() is not None:
-                    break
+            return terminal_output(master, seconds, lambda _: process.poll() is not None)
         finally:
             process.kill()
             process.wait()
             os.close(master)
-        return output.decode(errors="replace").replace("\r", "")
 
     def load(self, services: Services, reference: str, name: str, folder: Path, *steps: str) -> str:
         """Loads an image of the registry into the engine, with steps of `images.context` on top; returns its name there.
@@ -125,10 +130,8 @@ def running() -> Iterator[Engine]:
     )
     engine = Engine(host)
     try:
-        end = time.monotonic() + START_SECONDS
-        while engine.docker("info").code != 0:
-            assert process.poll() is None and time.monotonic() < end, (folder / "log").read_text()[-3000:]
-            time.sleep(0.3)
+        state = (folder / "log").read_text
+        wait_until(lambda: engine.docker("info").code == 0, START_SECONDS, lambda: state()[-3000:], process)
         yield engine
     finally:
         process.terminate()

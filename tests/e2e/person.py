@@ -5,7 +5,6 @@ from __future__ import annotations
 import fcntl
 import os
 import pty
-import select
 import shutil
 import struct
 import subprocess
@@ -14,7 +13,7 @@ import tempfile
 import termios
 import time
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -84,24 +83,19 @@ class Person:
             os.chdir(self.folder)
             command = [*self.become, *_rosml(words)]
             os.execvpe(command[0], command, self._variables())
-        output, end, pressed = b"", time.monotonic() + seconds, False
+
+        def resize(output: bytes) -> bool:
+            if b"ready" in output:
+                fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", *SIZE, 0, 0))
+                time.sleep(2)
+                os.write(terminal, b"\n")
+            return False
+
         try:
-            while time.monotonic() < end:
-                if b"ready" in output and not pressed:
-                    fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", *SIZE, 0, 0))
-                    time.sleep(2)
-                    os.write(terminal, b"\n")
-                    pressed = True
-                if select.select([terminal], [], [], 0.2)[0]:
-                    with suppress(OSError):  # the other end was closed
-                        if data := os.read(terminal, 65536):
-                            output += data
-                            continue
-                    break
+            return engine.terminal_output(terminal, seconds, resize)
         finally:
             os.close(terminal)  # which hangs up
             os.waitpid(child, 0)
-        return output.decode(errors="replace").replace("\r", "")
 
     def _variables(self) -> dict[str, str]:
         state = {"XDG_STATE_HOME": str(self.folder / ".state"), "XDG_CONFIG_HOME": str(self.folder / ".config")}

@@ -28,7 +28,7 @@ import trustme
 from rosml import ROOT
 from rosml.machine.services import Services
 from rosml.machine.setup import network
-from tests.e2e.calls import succeeds
+from tests.e2e.calls import succeeds, wait_until
 from tests.e2e.local_servers import Handler, serving
 
 NAME, PASSWORD = "robot+ci", "p4ss:wörd/with=odd&letters"
@@ -188,13 +188,12 @@ def registry_program(folder: Path, storage: Path, settings: Mapping[str, Any], d
         process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, env=env)
     try:
         host, _, port = settings["http"]["addr"].rpartition(":")
-        deadline = time.monotonic() + 20
-        while True:
-            assert process.poll() is None and time.monotonic() < deadline, (folder / "log").read_text()[-2000:]
+
+        def listens() -> bool:
             with socket.socket() as probe:
-                if probe.connect_ex((host, int(port))) == 0:
-                    break
-            time.sleep(0.05)
+                return probe.connect_ex((host, int(port))) == 0
+
+        wait_until(listens, 20, lambda: (folder / "log").read_text()[-2000:], process)
         yield
     finally:
         process.terminate()

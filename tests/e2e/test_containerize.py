@@ -48,7 +48,7 @@ from tests.e2e.app_builds import (
     write,
 )
 from tests.e2e.calls import NAMESPACE, rosml
-from tests.e2e.images import Publish, build_file, config, layers
+from tests.e2e.images import PLATFORM, Publish, build_file, config, layers
 from tests.recording import COMMANDS
 
 WITHOUT_A_SCAN = """RUN --mount=type=bind,source={0}-apt,target=/said \\
@@ -239,21 +239,25 @@ def test_a_build_gets_no_results_of_another(services: Services, tmp_path: Path) 
             assert sorted(entry.name for entry in archive if entry.isfile()) == sorted(expected)
 
 
-def test_apps_and_a_part_at_once_repeat_no_step(base: str, services: Services, tmp_path: Path) -> None:
-    """What two apps both need is made once, and neither waits for the other or for the part."""
+def test_apps_and_a_part_at_once_repeat_no_step(
+    base: str, published: Publish, services: Services, tmp_path: Path
+) -> None:
+    """What two apps both need is made once, and neither waits for the other or for the part, which is the same as before."""
+    image, name = published("ros1-bookworm-core-tensorflow-cpu"), "common-cpu-py311"
     # Another number each time that it runs, and the same file for both apps.
     script = {"docker/custom.sh": f"# {tmp_path}\necho made-$RANDOM-$RANDOM\n"}
     folders = [package(tmp_path / name, files=script) for name in ("first", "second")]
     names = [f"{NAMESPACE}/{folder.name}" for folder in folders]
     options = {"base-image": base, "command": "true", "target": "run"}
     with ThreadPoolExecutor() as pool:
-        part = pool.submit(rosml, "part", "common-cpu-py311", "--namespace", NAMESPACE, "--again", "--json")
+        part = pool.submit(rosml, "part", name, "--namespace", NAMESPACE, "--again", "--json")
         apps = [
             pool.submit(build_app, folder, options | {"image-name": name})
             for folder, name in zip(folders, names, strict=True)
         ]
         assert [app.result()["packages"] for app in apps] == [["first"], ["second"]]
-        part.result()
+        digest, _ = json.loads(part.result().out)[0]["layers"][PLATFORM]
+    assert digest == image.part_layers[image.image.parts.index(name)]
     numbers = [re.findall(r"\bmade-\d+-\d+", log_of(services, name)) for name in names]
     assert len({*numbers[0], *numbers[1]}) == len({*numbers[0]}) > 0, numbers
     assert all(app.result()["waited"] == 0 for app in apps)

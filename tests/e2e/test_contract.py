@@ -15,7 +15,7 @@ import pytest
 
 from rosml.machine.services import Services
 from tests.e2e import engine
-from tests.e2e.calls import Run
+from tests.e2e.calls import Run, wait_until
 from tests.e2e.images import Publish
 from tests.e2e.person import Person, enters, somebody, starts
 
@@ -123,10 +123,7 @@ def test_signals_reach_the_process(container: Container, environment: dict[str, 
     script = "trap 'echo ended; exit 9' TERM; echo ready; while :; do sleep 0.1; done"
     docker = container.docker.docker
     with container.started(*env(environment), container.image, "bash", "-c", script) as identity:
-        end = time.monotonic() + 30
-        while "ready" not in docker("logs", identity).out:
-            assert time.monotonic() < end, docker("logs", identity)
-            time.sleep(0.1)
+        wait_until(lambda: "ready" in docker("logs", identity).out, 30, lambda: docker("logs", identity))
         assert docker("stop", "--time", "20", identity).code == 0
         assert "ended" in docker("logs", identity).out
         assert docker("inspect", "--format", "{{.State.ExitCode}}", identity).out.strip() == "9"

@@ -186,7 +186,7 @@ def test_dockerfiles_of_users(services: Services, published: Publish, tmp_path: 
 
 def test_parts_are_compared(services: Services) -> None:
     """The commands of the page about reproducibility, in the tests' namespaces, and without `--again`: a part that is
-    assembled without the builder's cache is tests/e2e/test_tensorflow.py's."""
+    assembled without the builder's cache is tests/e2e/test_containerize.py's."""
     steps = [
         command
         for block in section(ROOT / "docs/reproducibility.md", "Check it yourself")

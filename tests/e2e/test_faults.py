@@ -12,7 +12,7 @@ import pytest
 
 from rosml.machine.services import Services
 from tests import regctl
-from tests.e2e.calls import HANGS, NAMESPACE, publish
+from tests.e2e.calls import HANGS, NAMESPACE, publish, wait_until
 from tests.e2e.images import NATIVE, Publish, Published
 
 TARGET = "ros1-bookworm-core"
@@ -103,9 +103,7 @@ def test_interrupted_in_the_middle(published: Publish, checkout: Path, number: s
         text=True,
     )
     log = checkout / ".state" / "log" / f"build-{TARGET}-{NATIVE}.log"
-    deadline = time.monotonic() + HANGS
-    while time.monotonic() < deadline and not (log.exists() and "$" in log.read_text()):
-        time.sleep(0.2)
+    wait_until(lambda: log.exists() and "$" in log.read_text(), HANGS, log.exists, process)
     time.sleep(3)
     assert process.poll() is None, "it ended before it was interrupted"
     process.send_signal(number)

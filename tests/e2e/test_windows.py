@@ -15,6 +15,7 @@ import pytest
 
 from rosml.machine.services import Services
 from tests.e2e import engine
+from tests.e2e.calls import wait_until
 from tests.e2e.images import Publish
 from tests.e2e.person import Person, somebody
 
@@ -68,10 +69,7 @@ def compositor(who: Person, name: str) -> Iterator[None]:
             [*who.become, "weston", *options], env={**os.environ, **who.environment}, stdout=file, stderr=file
         )
         try:
-            end = time.monotonic() + SECONDS
-            while not (who.folder / "runtime" / name).exists():
-                assert process.poll() is None and time.monotonic() < end, log.read_text()
-                time.sleep(0.2)
+            wait_until((who.folder / "runtime" / name).exists, SECONDS, log.read_text, process)
             yield
         finally:
             process.terminate()
@@ -114,10 +112,7 @@ def test_rviz_opens_its_window(
     image = docker.load(services, published(target).reference, target, tmp_path)
     with display(who.folder) as environment:
         os.chown(environment["XAUTHORITY"], who.uid, who.uid)
-        end = time.monotonic() + SECONDS
-        while "Root window id" not in windows(environment):
-            assert time.monotonic() < end, (who.folder / "Xvfb.log").read_text()
-            time.sleep(0.2)
+        wait_until(lambda: "Root window id" in windows(environment), SECONDS, (who.folder / "Xvfb.log").read_text)
         assert "unable to open display" in windows({**environment, "XAUTHORITY": "/dev/null"})
         who.environment |= environment
         script = "roscore >/dev/null & until rostopic list >/dev/null 2>&1; do sleep 0.2; done; exec rosrun rviz rviz"
