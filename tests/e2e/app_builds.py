@@ -97,3 +97,10 @@ def stages_run(services: Services, name: str) -> set[str]:
     """The stages of which a step ran, and was not in the cache, in the last build of an app."""
     log = log_of(services, name)
     return set(re.findall(r"^[\d.]+ s \[(?:[a-z-]+ )?([a-z-]+) \d+/\d+\] RUN", log, re.MULTILINE))
+
+
+def hears(count: int, file: str, entrypoint: str = "/entrypoint.sh") -> str:
+    """A step of a Dockerfile that starts the image's command, the compass, until it has heard so many directions."""
+    start = f'/tini -s -- {entrypoint} bash -c "exec bash -c \\"$DEFAULT_CMD\\""'
+    listen = f"/entrypoint.sh timeout 30 rostopic echo -n {count} /direction"
+    return f"RUN bash -c '({start} & for try in {{1..200}}; do {listen} && break; done >{file}; kill $!; wait) 2>&1'"

@@ -14,7 +14,7 @@ from rosml import ROOT
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize.build import app as apps
 from rosml.machine.services import Services
-from tests.e2e.app_builds import BASE, build_app, containerize, stages_run
+from tests.e2e.app_builds import BASE, build_app, containerize, hears, stages_run
 from tests.e2e.calls import LOG, NAMESPACE, publish
 from tests.e2e.images import build, build_file, config, system
 
@@ -73,8 +73,7 @@ RUN {entrypoint} bash -c 'test "$SDK $(id -u) $(command -v rospack)" = "ready 10
     bash -lc 'python3 -c "import rospy"' && ! sudo -n true && \\
     python3 -m pip config list | grep -F "timeout='77'" && python3 -m pip config list | grep rosml/constraints && \\
     /usr/local/lib/rosml/entrypoint.sh /tini -s -- /entrypoint.sh bash -c 'test "$SDK" = ready && rospack find roscpp'
-RUN bash -c '(timeout 20 {entrypoint} bash -c "exec bash -c \\"$DEFAULT_CMD\\"" & \\
-      for try in {{1..200}}; do /entrypoint.sh timeout 5 rostopic echo -n 1 /direction && break; done >/tmp/said; wait) 2>&1' && \\
+{hears(1, "/tmp/said", " ".join(starts["Entrypoint"][2:]))} && \\
     grep -E "east|north|west|south" /tmp/said
 USER root
 RUN test -e /root/.cache/model -a -e /tmp/sdk/licence -a -e /var/log/sdk.log -a ! -e /var/log/dpkg.log && \\
