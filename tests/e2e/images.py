@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,8 +17,9 @@ from rosml.images.image_set.model import Image, Part
 from rosml.images.matrix import names
 from rosml.machine import buildx as builder
 from rosml.machine.services import Services
+from rosml.registry.client import Registry
 from tests import regctl
-from tests.e2e.calls import NAMESPACE, succeeds
+from tests.e2e.calls import NAMESPACE, rosml, succeeds
 
 SOURCES = Path(__file__).parent
 """Where the programs are that tests run in images."""
@@ -177,6 +179,14 @@ def push_part(
     prefix = f"{services.registry}/{NAMESPACE}"
     push(services, image, part.target, prefix, *sets, variables=variables)
     return layers(services, f"{prefix}/part:{part.name}")
+
+
+def build_parts(services: Services, *names: str) -> None:
+    """Builds parts for this architecture alone, under their tags."""
+    built = rosml("part", *names, "--namespace", NAMESPACE, "--platform", PLATFORM, "--json")
+    with Registry(services.registry) as registry:
+        for part in json.loads(built.out):
+            registry.tag(f"{NAMESPACE}/part", part["digest"], part["name"])
 
 
 def system(services: Services, name: str, architecture: str = NATIVE) -> str:

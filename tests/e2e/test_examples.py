@@ -23,7 +23,7 @@ from rosml import ROOT
 from rosml.machine.services import Services
 from tests.e2e.app_builds import build_app, commit, write
 from tests.e2e.calls import NAMESPACE, rosml
-from tests.e2e.images import Publish, build, build_file, buildx
+from tests.e2e.images import Publish, build, build_file, build_parts, buildx
 from tests.e2e.local_servers import serving
 
 EXAMPLES = ROOT / "examples"
@@ -147,7 +147,7 @@ def test_object_detection(
 ) -> None:
     """The tests pass for each backend of the image. The image's command starts the node, which hears the camera of the example."""
     image = published(target).reference
-    rosml("part", *parts, "--namespace", NAMESPACE)
+    build_parts(services, *parts)
     shutil.copytree(EXAMPLES / "object-detection", tmp_path / "detector")
     [starts] = re.findall(
         '--command "(.*roslaunch.*)"', (ROOT / "docs/examples/object-detection.md").read_text(), re.MULTILINE
@@ -185,7 +185,7 @@ GENERATORS = (
 @pytest.mark.full(proof="wheels")
 def test_object_detection_of_ros_2(services: Services, published: Publish, tmp_path: Path) -> None:
     """The node in Python: a test of the example hears its boxes. No wheel has rclcpp."""
-    rosml("part", *ONNX, "--namespace", NAMESPACE)
+    build_parts(services, *ONNX)
     image = joined(services, published("jazzy-wheels-core").reference, "onnx", *ONNX)
     image = base(services, image, "object-detection", GENERATORS)
     folder = tmp_path / "detector"
