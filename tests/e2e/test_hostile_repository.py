@@ -139,7 +139,7 @@ def test_code_of_a_repository_reaches_no_service_of_the_machine(base: str, servi
     log = log_of(services, name)
     assert {*re.findall(r"(\w+) asked; reached \[\]", log)} >= {"first", "custom"}
     codes = re.findall(r"\bcode (\d{3})$", log, re.MULTILINE)
-    assert codes in (["000"] * len(requests), ["401"] * len(requests)), codes
+    assert len(codes) >= len(requests) and {*codes} in ({"000"}, {"401"}), codes
 
 
 def test_a_mirror_on_the_machine_is_reached(base: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
