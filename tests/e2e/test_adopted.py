@@ -12,7 +12,7 @@ import pytest
 
 from rosml import ROOT
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize.build import app as apps
+from rosml.containerize.build import step_order as apps
 from rosml.machine.services import Services
 from tests.e2e.app_builds import BASE, build_app, containerize, hears, stages_run
 from tests.e2e.calls import LOG, NAMESPACE, publish

@@ -25,7 +25,7 @@ import pytest
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize.build import app as build
+from rosml.containerize.build import step_order as build
 from rosml.containerize.build.result import Result
 from rosml.machine.services import Services
 from rosml.registry import references

@@ -68,7 +68,7 @@ def test_the_page_is_followed_to_an_image(
     """Its commands, with the key of this archive; the image is built, and not tested: there is no real ROS in it."""
     server, _ = archive
     documents = ("docs/tags.md", "docs/images/layers.svg", "docs/images/rebase.svg")
-    for name in ("matrix.schema.json", "catalogue.schema.json", *documents, *page.PAGES, *ci_files.FILES):
+    for name in ("matrix.schema.json", "catalogue.schema.json", *documents, *ci_files.FILES):
         (checkout / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, checkout / name)
     add_entry(checkout)

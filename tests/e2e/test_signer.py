@@ -42,7 +42,7 @@ def place(request: pytest.FixtureRequest, tmp_path: Path, monkeypatch: pytest.Mo
         index = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": []}
         digest = Registry(secured.host).put_manifest("images/small", "latest", index, oci.INDEX)
         reference = f"{secured.host}/images/small@{digest}"
-        yield Place(secured, reference, {**trust.trusting(services), **key})
+        yield Place(secured, reference, {**services.trusting(), **key})
 
 
 def test_it_signs_once_and_knows_its_signature(place: Place) -> None:
