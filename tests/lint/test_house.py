@@ -9,7 +9,7 @@ import re
 import subprocess
 import sys
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -81,9 +81,9 @@ WHEN = {"asked", "found", "given", "known", "left", "made", "named", "old", "own
 """Words that say when a value came, and not what it is."""
 
 
-def modules() -> Iterator[tuple[str, str]]:
-    """The product's modules: path and text."""
-    for folder in PRODUCT:
+def modules(folders: Iterable[str] = PRODUCT) -> Iterator[tuple[str, str]]:
+    """The modules of folders: path and text."""
+    for folder in folders:
         for file in sorted((ROOT / folder).rglob("*.py")):
             yield str(file.relative_to(ROOT)), file.read_text()
 
@@ -110,7 +110,7 @@ def long_functions(text: str) -> Iterator[str]:
 def test_names_say_what_they_hold() -> None:
     names = {
         f"{path}: {bound(node)}"
-        for path, text in modules()
+        for path, text in modules((*PRODUCT, "tests"))
         for node in ast.walk(ast.parse(text))
         if bound(node).strip("_") in WHEN
     }
