@@ -11,7 +11,7 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some, unknown
-from rosml.images.image_set import addons, apt_repository, missing_locks
+from rosml.images.image_set import addons, apt_repository, missing_locks, search
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
@@ -92,6 +92,9 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
         return Explained(name, True, (text,))
     if reason := why_not(image_set, name):
         return Explained(name, False, (reason,))
+    if targets := search.having(image_set, name):
+        text = f"{name}: {counted(len(targets), 'image')}; see them with: rosml list {name}"
+        return Explained(name, True, (text,))
     text = unknown("image", name, _alike(image_set, name))
     suggestion = f"; for an image of your own: rosml explain {name} --addons onnx" if re.search("[:/]", name) else ""
     raise RosmlError(text, f"see all with: rosml list{suggestion}", exit_code=2)

@@ -60,6 +60,11 @@ def search(image_set: ImageSet, terms: Sequence[str]) -> tuple[Image, ...]:
     return tuple(image for image in image_set.images if image.target in hits)
 
 
+def having(image_set: ImageSet, phrase: str) -> set[str]:
+    """The targets of the images that have a phrase among their words."""
+    return _having({image.target: words(image_set, image) for image in image_set.images}, phrase.lower())
+
+
 def _having(words_by_image: dict[str, tuple[str, ...]], phrase: str) -> set[str]:
     """The images with a phrase among their words. A version may go on: `cuda 13.0` means 13.0.96. A driver runs what older ones run."""
     joined = _JOINED.fullmatch(phrase)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rosml.base.errors import RosmlError
+from rosml.images.image_set.explain import explained
 from rosml.images.image_set.model import ImageSet
 from rosml.images.image_set.search import search
 
@@ -36,6 +37,10 @@ def test_a_word_leads_to_what_it_means(real: ImageSet, text: str, targets: str, 
     matches = {image.target for image in search(real, text.split())}
     assert matches >= {*targets.split()} and matches.isdisjoint(others.split())
     assert {*targets.split(), *others.split()} <= {*real.by_target}, "images of the matrix"
+
+
+def test_a_word_is_explained_as_well(real: ImageSet) -> None:
+    assert "see them with: rosml list rtx 4090" in explained(real, "rtx 4090").text
 
 
 def test_a_word_that_means_nothing_is_named(real: ImageSet) -> None:
