@@ -17,7 +17,6 @@ from pydantic import BeforeValidator, Field
 from rosml.images.matrix.patterns import (
     HOST,
     IMAGE,
-    INDEX,
     PLATFORM,
     REFERENCE,
     SPDX,
@@ -264,7 +263,7 @@ class Release(Facts):
     environment: dict[Variable, Word] = Field(
         default={}, description="variables that every image with it has, and their values"
     )
-    index: Annotated[str, Field(pattern=INDEX, max_length=200)] | None = Field(
+    index: Annotated[str, Field(pattern=URL, max_length=200)] | None = Field(
         default=None,
         description="another index of Python packages, without a password, that has the release's package and what goes with"
         " it; it is asked for nothing else",

@@ -18,8 +18,7 @@ DIGEST = r"^sha256:[0-9a-f]{64}$"
 HOST = r"^[a-z0-9]([a-z0-9.-]*[a-z0-9])?(:[1-9][0-9]{0,4})?$"
 REFERENCE = r"^[a-z0-9]([a-z0-9.-]*[a-z0-9])?(:[1-9][0-9]{0,4})?(/[a-z0-9]+([._-]+[a-z0-9]+)*)*$"
 IMAGE = r"^[a-z0-9.-]+(:[0-9]+)?(/[a-z0-9._-]+)+:[A-Za-z0-9_][A-Za-z0-9._-]*$"
-URL = r"^https?://[^\s\"'$%{}\\]+$"
-INDEX = URL.replace("{}", "{}@")
+URL = r"^https?://[^\s\"'$%{}@\\]+$"
 APT = r"^http://[a-z0-9][a-z0-9.-]*(:[1-9][0-9]{0,4})?(/[a-z0-9{}][a-z0-9.{}_-]*)*$"
 DEB = APT.replace("http:", "https?:", 1)
 ARCHIVE = DEB.replace("{}", "")
@@ -49,8 +48,7 @@ MEANING = {
     HOST: "the host of a registry, such as registry.example.com or registry.example.com:5000",
     REFERENCE: "a registry without https://, such as ghcr.io/owner or localhost:5000",
     IMAGE: "a full image name with its registry and tag, such as docker.io/library/debian:bookworm",
-    URL: "an address, such as https://example.org/images",
-    INDEX: "the address of a Python package index without a password, such as https://packages.example.org/simple",
+    URL: "an address without a password, such as https://example.org/images",
     APT: "the address of an apt repository, such as http://packages.example.org/{generation}/ubuntu",
     DEB: "the address of a Debian package, such as https://packages.example.org/{generation}-source_{version}.deb",
     ARCHIVE: "the address of an apt archive without a password and without a slash at the end, such as http://packages.example.org/ros2",
