@@ -144,7 +144,7 @@ def test_a_mistake_has_its_place_and_its_reason(text: str, edit: str, starts: st
         ("registry: localhost:5000", "registry: https://me:{}@localhost"),
         ("registry: localhost:5000", "registry: me:{}@localhost"),
         ("live: http://", "live: http://{}@"),
-        ("source: https://", "source: https://me:{}@"),
+        ("https://example.org/images", "https://me:{}@example.org/images"),
         ("registry: localhost:5000\n", "registry: localhost:5000\nprivate: ['me:{0}@a', 'me:{0}@a']\n"),
     ],
 )
