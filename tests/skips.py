@@ -16,6 +16,7 @@ REASONS = (
     "Docker Hub answers: its base images are used",
     "this machine has only a loopback address, where a registry without certs.d speaks plain http",
     "no podman with a generator of units is here",
+    "no xauth is here",
     "no Python as old as the oldest one of the matrix is here, nor can it be downloaded",
 )
 """What a machine may lack. docs/status.md says what stays unproved there."""

@@ -41,16 +41,23 @@ def turn(file: Path, waiting: Callable[[], object]) -> Iterator[int]:
         with suppress(OSError):  # a full disk, or no file: then nobody sees who holds it
             lock.truncate(0)
             lock.write(f"{os.getpid()} {time.time():.0f} {words}".encode(errors="replace"))
-        yield lock.fileno()
+        try:
+            yield lock.fileno()
+        finally:
+            with suppress(OSError):
+                lock.truncate(0)  # the next holder is not taken for this one
 
 
 def holder(file: Path) -> str:
     """Who holds a lock, for people: `process 4711, which began 2 minutes ago: rosml image jazzy-base`."""
-    try:
-        with file.open("rb") as stream:
-            text = stream.read(1000).decode(errors="replace")
-    except OSError:
-        text = ""
+    text = ""
+    with suppress(OSError):
+        for _ in range(10):  # who has just got the lock writes at once
+            with file.open("rb") as stream:
+                text = stream.read(1000).decode(errors="replace")
+            if text:
+                break
+            time.sleep(0.02)
     match = re.fullmatch(r"(\d{1,10}) (\d{1,12}) ([ -~]+)", text)
     if not match:
         return "another process"

@@ -42,6 +42,6 @@ def test_one_after_the_other(tmp_path: Path, killed: bool) -> None:
 def test_a_lock_keeps_no_option(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "argv", ["rosml", "dev", "folder", "-e", "TOKEN=secret", "--", "colcon"])
     with turn(tmp_path / "lock", lambda: None):
-        pass
-    assert holder(tmp_path / "lock").endswith(": rosml dev folder")
-    assert b"secret" not in (tmp_path / "lock").read_bytes()
+        assert holder(tmp_path / "lock").endswith(": rosml dev folder")
+        assert b"secret" not in (tmp_path / "lock").read_bytes()
+    assert holder(tmp_path / "lock") == "another process", "nobody is taken for the one before"

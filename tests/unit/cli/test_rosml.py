@@ -240,7 +240,7 @@ def test_an_image_is_run(wheel: Path, tmp_path: Path) -> None:
     engine = '#!/bin/sh\ncase $1 in\n  run) printf "%s|" "$@"; exit 3 ;;\n  image) echo \'{"Id": "x", "Config": {}}\' ;;\n  *) echo "{}" ;;\nesac\n'
     (tmp_path / "docker").write_text(engine)
     (tmp_path / "docker").chmod(0o755)
-    words = ("run", "--no-tz", "--no-user", "-eA=b c", "ubuntu", "echo", "a  b")
+    words = ("run", "--no-gpu", "--no-tz", "--no-user", "-eA=b c", "ubuntu", "echo", "a  b")
     done = installed(wheel, tmp_path, *words, PATH=f"{tmp_path}:/usr/bin:/bin")
     assert (done.returncode, done.stderr) == (3, "")
     assert done.stdout.endswith("|-eA=b c|ubuntu|echo|a  b|")

@@ -424,7 +424,7 @@ HOSTILE: dict[str, tuple[bytes, str]] = {
     "device": (packed(sound(), entry_of("blobs/l", kind=tarfile.CHRTYPE, devmajor=1, devminor=5)), "no plain"),
     "twice, with a dot": (packed(sound(), entry_of(f"./{X}", 3), padded(b"abc")), "twice"),
     "more than there is": (packed(sound(), entry_of("blobs/sha256/f", 1 << 62)), "ends within|damaged"),
-    "less than nothing": (packed(sound(), entry_of("blobs/sha256/f", -512)), "below 0"),
+    "less than nothing": (packed(sound(), entry_of("blobs/sha256/f", -512)), "below 0|invalid offset"),
     "holes": (packed(sound(), entry_of("blobs/sha256/f", 512, tarfile.GNUTYPE_SPARSE), bytes(512)), "holes"),
     "holes, 1.0": (packed(sound(), sparse(b"22 GNU.sparse.major=1\n22 GNU.sparse.minor=0\n")), "holes"),
     "a number without end": (packed(sound(), pax(b"1" * 1_000_000), entry_of("y")), "damaged"),

@@ -30,6 +30,7 @@ MANIFEST, PLAIN = "package.xml", "CMakeLists.txt"
 """The file of a ROS package, and that of a package for CMake alone."""
 
 LARGEST_TEXT = 1 << 20  # bytes of a list or a script of a repository
+MOST_UNKNOWN = 20  # names that are told one by one
 
 _PROJECT = re.compile(r"""^[ \t]*project[ \t]*\([ \t]*"?([\w.+-]+)""", re.IGNORECASE | re.MULTILINE)
 """The name of the package in a CMakeLists.txt, as colcon reads it."""
@@ -198,11 +199,13 @@ def pointers(staged: Path) -> list[str]:
 
 def stale(requests: Path, manifests: Path) -> Iterator[str]:
     """A sentence for each unknown name among the packages to leave out: a list may be older than the sources."""
-    packages = sorted(names(manifests))
-    for name in (requests / BLACKLIST).read_text().split():
-        if name not in packages:
-            hint = near(name, packages)
-            yield f"no package is called {name}, which is to be left out{f'; {hint}' if hint else ''}"
+    packages = {*names(manifests)}
+    unknown = [*dict.fromkeys(name for name in (requests / BLACKLIST).read_text().split() if name not in packages)]
+    for name in unknown[:MOST_UNKNOWN]:
+        hint = near(name, sorted(packages))
+        yield f"no package is called {name}, which is to be left out{f'; {hint}' if hint else ''}"
+    if len(unknown) > MOST_UNKNOWN:
+        yield f"{len(unknown) - MOST_UNKNOWN:,} more names are to be left out, and no package has them"
 
 
 def additional_files(name: str, folder: Path) -> Path | None:

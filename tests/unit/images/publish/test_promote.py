@@ -148,9 +148,10 @@ def test_a_registry_that_is_down_is_not_asked_for_every_image(
         raise RosmlError("the registry does not answer")
 
     monkeypatch.setattr(registry.registry, "tag", down)
+    monkeypatch.setattr(side_by_side, "AT_ONCE", 2)
     with pytest.raises(RosmlError, match="does not answer"):
         registry.publish(image_set)
-    assert len(requests) <= 2 * side_by_side.AT_ONCE < 2 * len(image_set.images), "those that were asked side by side"
+    assert len(requests) < len(image_set.images)
 
 
 # ---- Dates, and entries, that somebody wrote -------------------------------------------------------------------------

@@ -14,7 +14,7 @@ from conftest import ROOT
 from fakes.setups import go_module, new_state, program
 from rosml.base import programs
 from rosml.base.errors import RosmlError
-from rosml.machine.setup import installer, process, tools
+from rosml.machine.setup import installer, process, step_network, tools
 from rosml.machine.setup.daemon import command_line, wait_until
 from rosml.machine.setup.installer import Installer
 from rosml.machine.setup.state import State
@@ -111,20 +111,25 @@ esac"""
     monkeypatch.setattr(
         installer, "which_system", lambda name: str(folder / name) if (folder / name).exists() else None
     )
-    monkeypatch.setattr(tools, "which_system", installer.which_system)
+    for module in (tools, step_network):
+        monkeypatch.setattr(module, "which_system", installer.which_system)
+    monkeypatch.setattr(step_network, "FOLDERS", ())
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     return calls
 
 
 @pytest.mark.parametrize("tests", [False, True])
 def test_setup_of_a_bare_machine(state: State, bare: Path, capsys: pytest.CaptureFixture[str], tests: bool) -> None:
-    """One call of apt, each program built once, without those that take minutes, and Go's caches dropped after the last of them."""
+    """One call of apt for what must be there, each program built once, without those that take minutes, and Go's caches dropped after the last of them."""
     services = tools.install(state, hub=False, tests=tests)
     calls = bare.read_text().splitlines()
     names = sorted(["actionlint", "composecheck", "regctl"] * tests + ["buildkitd", "buildx", "registry"])
     assert sorted(call for call in calls if call.startswith("build ")) == [f"build {name}" for name in names]
     for_tests = " docker.io chromium" if tests else ""
-    assert [call for call in calls if call.startswith("apt ")] == [f"apt runc mmdebstrap{for_tests}"]
+    assert [call for call in calls if call.startswith("apt ")] == [
+        f"apt runc mmdebstrap{for_tests}",
+        "apt containernetworking-plugins iptables",  # without them the builder works as well
+    ]
     assert not (state.folder / "go").exists()
     assert services.buildx == (str(state.bin / "buildx"),)
     assert (services.uv, services.registry, bool(services.bases)) == ("/uv", "", True)

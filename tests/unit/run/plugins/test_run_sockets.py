@@ -133,7 +133,7 @@ def test_a_damaged_file_of_cookies() -> None:
     assert xauthority.read(b"\xff" * 5) == [] and xauthority.cookie([], "0", "robot", "robot") is None
 
 
-@pytest.mark.skipif(not shutil.which("xauth"), reason="xauth is not installed")
+@pytest.mark.skipif(not shutil.which("xauth"), reason="no xauth is here")
 def test_xauth_reads_and_writes_the_same_files(tmp_path: Path) -> None:
     theirs, ours = tmp_path / "theirs", tmp_path / "ours"
     add = ["xauth", "-f", str(theirs), "add", "robot/unix:3", ".", "ab" * 16]
