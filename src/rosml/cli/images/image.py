@@ -157,7 +157,7 @@ def _install_on(options: _Options, plan: _Plan, services: Services) -> dict[str,
     from rosml.containerize.base_image import base as app_base
     from rosml.containerize.build import adopt
     from rosml.containerize.inputs import Values
-    from rosml.images.builds.push import COMPRESSION
+    from rosml.images.builds.push import compression
     from rosml.registry import references
 
     image, platforms = plan.image, (plan.platform,)
@@ -174,6 +174,6 @@ def _install_on(options: _Options, plan: _Plan, services: Services) -> dict[str,
         tag = base.digest[7:19]
     # The whole path: two owners may have images of the same name, and `records` is one of our repositories.
     reference = f"{services.registry}/{options.namespace}/on/{place.repository}:{tag}-{image.target}"
-    output = f"type=image,push=true,{COMPRESSION}"
+    output = f"type=image,push=true,{compression(plan.call.image_set.matrix.compression)}"
     digest = adopt.make(adopted, services, os.environ, platforms, reference, output)
     return {"target": image.target, "on": base.reference, "reference": reference, "digest": digest}

@@ -16,8 +16,8 @@ from rosml.containerize.inputs import Values
 from rosml.containerize.names import DESK, SLIM
 from rosml.images.builds import adopted
 from rosml.images.builds.base_images import native_architecture
-from rosml.images.builds.push import COMPRESSION
-from rosml.images.image_set.labels import APP, PREFIX, REVISION, TITLE
+from rosml.images.builds.push import COMPRESSION, compression
+from rosml.images.image_set.labels import APP, COMPRESSED, PREFIX, REVISION, TITLE
 from rosml.machine import buildx, exported, mirrors
 from rosml.machine.services import Services
 
@@ -140,6 +140,7 @@ def _image(
     recipe: Recipe, target: str, linked: bool, contexts: Mapping[str, str], labels: Mapping[str, str]
 ) -> dict[str, Any]:
     inputs, names = recipe.inputs, recipe.call.names
+    pushed = f"type=image,push=true,{compression(inputs.base_of(target).labels.get(COMPRESSED, ''))}"
     return {
         "context": str(inputs.empty),
         "dockerfile-inline": _dockerfile(target, inputs, linked),
@@ -148,7 +149,7 @@ def _image(
         "args": {"SOURCE_DATE_EPOCH": str(inputs.time), **_variables(target, inputs)},
         "labels": labels,
         "tags": names.tags(target),
-        "output": [names.loading if names.loads else f"type=image,push=true,{COMPRESSION}"],
+        "output": [names.loading if names.loads else pushed],
     }
 
 

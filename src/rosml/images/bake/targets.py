@@ -246,6 +246,7 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         **{f"{labels.PREFIX}{item.name}": item.version for item in image.brought},
         **labels.about_gpus(image.gpu),
         **labels.about_image(kind, image.brought),
+        **labels.compressed(matrix.compression),
     }
     if runtime := combinations.runtime(matrix, image.distribution, image.component):
         labels_of_image[labels.RUNTIME] = runtime
@@ -298,7 +299,7 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
         if part.kind in matrix.addons[name].parts
     }
     part_labels = labels.of_part(matrix.part[part.kind], part.stack, part.python, brought, taking, adding)
-    part_labels |= labels.about_gpus(gpu)
+    part_labels |= labels.about_gpus(gpu) | labels.compressed(matrix.compression)
     yield names.files_target(part.name), Target("part-files", contexts, arguments, part.platforms)
     tags = (f"{PARTS}:{part.name}",)
     yield part.target, Target("part", contexts, arguments, part.platforms, tags, part_labels)

@@ -180,7 +180,8 @@ class BuildKitMaker:
             builder = PartBuilder(self.services, self.image_set, str(self.place), self.say, self.force)
             assembler, call = builder.bake(request.thing, [self._platform(request.architecture)])
             start = assembler.reference
-        return start, pushing(call, self.place.reference(repository_of(request.thing)))
+        repository = self.place.reference(repository_of(request.thing))
+        return start, pushing(call, repository, self.image_set.matrix.compression)
 
     def _call_of_image(self, image: Image, request: BuildRequest) -> tuple[str, buildx.Bake]:
         architecture, packages = request.architecture, request.packages

@@ -73,7 +73,7 @@ class PartBuilder:
         started = time.monotonic()
         platforms = _platforms(part, platform)
         base, call = self.bake(part, platforms)
-        digest = push(self.services, pushing(call, f"{self.prefix}/part"))
+        digest = push(self.services, pushing(call, f"{self.prefix}/part", self.image_set.matrix.compression))
         reference = f"{self.prefix}/part@{digest}"
         with Registry(self.services.registry, ca_bundle=self.services.ca_bundle) as client:
             layers = dict(_layers(client, self._place.repository, digest, platforms))

@@ -16,6 +16,9 @@ from rosml.machine.services import Services
 COMPRESSION = "compression=zstd,compression-level=7,oci-mediatypes=true"
 """Level 7 makes parts a seventh smaller than level 3, and takes several times longer. Parts are pulled often."""
 
+GZIP_COMPRESSION = "compression=gzip,force-compression=true,oci-mediatypes=true"
+"""For Docker before 23. By force, as the builder's cache may have the same layers as zstd."""
+
 
 def write_excerpt(services: Services, image_set: ImageSet, target: str, *others: str) -> Path:
     """Writes the piece of the bake file that targets need into a file with the name of the first target."""
@@ -26,9 +29,14 @@ def write_excerpt(services: Services, image_set: ImageSet, target: str, *others:
     return file
 
 
-def pushing(call: buildx.Bake, repository: str) -> buildx.Bake:
-    """The call that also pushes its target into a repository by digest. Without a tag, nobody sees it yet."""
-    output = f"{call.target}.output=type=image,name={repository},push=true,push-by-digest=true,{COMPRESSION}"
+def compression(kind: str) -> str:
+    """The builder's options for layers of a set, or on an image with a label, that asks for this compression."""
+    return GZIP_COMPRESSION if kind == "gzip" else COMPRESSION
+
+
+def pushing(call: buildx.Bake, repository: str, kind: str = "") -> buildx.Bake:
+    """The call that also pushes its target into a repository by digest. Without a tag, nobody sees it yet. `kind`: of compression."""
+    output = f"{call.target}.output=type=image,name={repository},push=true,push-by-digest=true,{compression(kind)}"
     return replace(call, sets=(output, *call.sets))
 
 

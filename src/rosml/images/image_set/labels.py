@@ -40,6 +40,9 @@ GPU = f"{PREFIX}gpu."
 RUNTIME = f"{PREFIX}runtime"
 """The label of an image with the component that runs programs built on it."""
 
+COMPRESSED = f"{PREFIX}compression"
+"""The label of an image or part whose layers are not compressed by zstd: `gzip`. Apps on such an image are compressed alike."""
+
 RMW = f"{PREFIX}rmw"
 """The label of an image whose ROS 2 has another default RMW implementation than Fast DDS's."""
 
@@ -116,6 +119,11 @@ def required_driver(cuda: str) -> str:
 def about_gpus(facts: Mapping[str, str]) -> dict[str, str]:
     """The labels about GPUs."""
     return {GPU + name: value for name, value in facts.items()}
+
+
+def compressed(compression: str) -> dict[str, str]:
+    """The label about an unusual compression; none about the usual one."""
+    return {COMPRESSED: compression} if compression != "zstd" else {}
 
 
 def licensed(entries: Iterable[PartEntry], own_licences: str = "") -> dict[str, str]:

@@ -55,6 +55,8 @@ from rosml.images.matrix.sizes import Disk, Rates
 Generation = Literal["ros", "ros2"]
 """ROS 1 and ROS 2, in the words of ROS's apt repositories and their packages."""
 
+Compression = Literal["zstd", "gzip"]
+
 ANY_PYTHON = "any"
 """The Python version of a part that fits every Python; also a folder name in locks/."""
 
@@ -426,6 +428,9 @@ class Matrix(Facts):
     )
     source: Annotated[str, Field(pattern=URL)] | None = Field(
         default=None, description="the project's address, for the images' label"
+    )
+    compression: Compression = Field(
+        default="zstd", description="of layers; gzip is larger and slower, and for machines with Docker before 23"
     )
     default: Default
     architectures: dict[Name, Architecture] = Field(min_length=1)

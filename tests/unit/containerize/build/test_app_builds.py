@@ -18,6 +18,7 @@ from rosml.containerize.build import bake_file, dev_folder, stage_cache, step_or
 from rosml.containerize.build.result import ShellImage
 from rosml.containerize.names import DESK
 from rosml.images.builds import variables
+from rosml.images.image_set.labels import COMPRESSED
 from rosml.machine import git
 
 __all__ = ["robot", "services"]
@@ -178,6 +179,14 @@ def test_a_base_without_ros_stays_without_if_somebody_says_so(robot: Robot) -> N
     assert "--ros-distro" in caught.value.remedy
     robot.build(**inputs, ros_distro="jazzy")
     assert robot.targets[-1]["args"]["APP_ROS_DISTRO"] == "jazzy" and robot.names[0] == "packages"
+
+
+def test_layers_are_compressed_as_those_of_the_base_image(robot: Robot) -> None:
+    """If that is for an older Docker, the app is as well."""
+    for labels, option in (({}, "compression=zstd"), ({COMPRESSED: "gzip"}, "compression=gzip,force-compression=true")):
+        robot.put(config={"Labels": {"io.rosml.distribution": "jazzy", **labels}})
+        robot.build(target="run")
+        assert option in robot.targets[-1]["output"][0]
 
 
 # ---- What is said of the sources -------------------------------------------------------------------------------------

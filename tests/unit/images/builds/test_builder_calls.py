@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -72,6 +73,16 @@ def call_of(run: Run, target: str, registry: Publisher, monkeypatch: pytest.Monk
     where = run.state.place.reference("ros")
     assert call.sets[0].startswith(f"{target}.output=type=image,name={where},push=true,push-by-digest=true,")
     return call
+
+
+def test_a_set_may_choose_gzip(registry: Publisher, image_set: ImageSet, monkeypatch: pytest.MonkeyPatch) -> None:
+    """And what it had as zstd is built again."""
+    calls = {}
+    for compression in ("zstd", "gzip"):
+        matrix = image_set.matrix.model_copy(update={"compression": compression})
+        run = registry.run(replace(image_set, matrix=matrix), only=["alpha-core"])
+        calls[compression] = call_of(run, "alpha-core", registry, monkeypatch).sets[0]
+    assert "compression=zstd" in calls["zstd"] and "compression=gzip,force-compression=true" in calls["gzip"]
 
 
 @pytest.mark.parametrize("broken", [False, True])
