@@ -185,7 +185,9 @@ require_locked "$scratch/packages"
 # What clean.sh takes away, and a package or a script made: folders for logs and caches, and what programs downloaded for root.
 folders=$(find /var/log /var/cache -mindepth 1 -type d ! -regex '/var/cache/\(apt\|debconf\|ldconfig\|man\)\(/.*\)?' \
   -printf '%m %U:%G %p\n')
-rm -rf /root/.cache/pip /root/.cache/uv
+for folder in /root/.cache/pip /root/.cache/uv; do # without what the base image has: an app that removes it cannot be joined to it
+  if [[ -d $folder ]]; then find "$folder" -depth -newerct "${STEP_STARTED:?}" \( ! -type d -o -empty \) -delete; fi
+done
 rmdir --ignore-fail-on-non-empty /root/.cache 2>/dev/null || true # there may be none
 if [[ -d /root/.cache ]]; then mv /root/.cache /root/.cache-kept; fi
 "$here/../build/clean.sh"

@@ -19,7 +19,7 @@ from tests.e2e.calls import LOG, NAMESPACE, publish
 from tests.e2e.images import build, build_file, config, system
 
 VENDOR = """FROM {0} AS vendor
-RUN useradd --uid 1000 --create-home --groups sudo vendor && mkdir -p /root/.cache /tmp/sdk && touch /root/.cache/model /tmp/sdk/licence /var/log/sdk.log
+RUN useradd --uid 1000 --create-home --groups sudo vendor && mkdir -p /root/.cache/pip /tmp/sdk && touch /root/.cache/model /root/.cache/pip/wheel /tmp/sdk/licence /var/log/sdk.log
 # A Python before the system's: whoever starts it fails.
 RUN printf '#!/bin/sh\\necho "the other Python was started" >&2; exit 3\\n' >/usr/local/bin/python3 && chmod 755 /usr/local/bin/python3 && \\
     printf '[global]\\ntimeout = 77\\n' >/etc/pip.conf && \\
@@ -76,7 +76,7 @@ RUN {entrypoint} bash -c 'test "$SDK $(id -u) $(command -v rospack)" = "ready 10
 {hears(1, "/tmp/said", " ".join(starts["Entrypoint"][2:]))} && \\
     grep -E "east|north|west|south" /tmp/said
 USER root
-RUN test -e /root/.cache/model -a -e /tmp/sdk/licence -a -e /var/log/sdk.log -a ! -e /var/log/dpkg.log && \\
+RUN test -e /root/.cache/model -a -e /root/.cache/pip/wheel -a -e /tmp/sdk/licence -a -e /var/log/sdk.log -a ! -e /var/log/dpkg.log && \\
     DOCKER_UID=1000 DOCKER_GID=1000 {entrypoint} bash -c 'test "$(id -un) $SDK" = "vendor ready"' && \\
     DOCKER_UID=1234 DOCKER_GID=1234 {entrypoint} sudo -n true
 """,
