@@ -6,40 +6,21 @@
 #   install.sh KIND…
 set -euo pipefail
 here=$(dirname "${BASH_SOURCE[0]}")
+export TMPDIR=/dev/shm # in no layer; scripts of the repository may empty /tmp
 # shellcheck source=components/build/network.sh
 source "$here/../build/network.sh"
 # shellcheck source=components/ros/apt.sh
 source "$here/../ros/apt.sh"
-export NOT_FOUND='check its name in docker/additional-debs.txt, or in the rule of rosdep that has it'
+unset TMPDIR
 
 if [[ " $* " == *" build "* && -e /etc/dpkg/dpkg.cfg.d/rosml-runtime ]]; then
   fail "the base image is only for programs that are built" "name the one without -run"
 fi
 
-# listed WAY: all that one way of rosdep installs, into $scratch/WAY.
-listed() {
-  local kind lists=()
-  for kind in "${kinds[@]}"; do lists+=("/run/needed/$kind.$1"); done
-  sort -u "${lists[@]}" >"$scratch/$1"
-}
-
-# update_once: apt's lists, if this step has none yet.
-updated=
-update_once() {
-  if [[ -z $updated ]]; then apt_update; fi
-  updated=true
-}
-
 requests=/run/requests
-if [[ $* == downstream ]]; then
-  requests=$scratch/requests
-  mkdir "$requests"
-  touch "$requests/apt" "$requests/pip"
-fi
+lock=$requests/lock/$(dpkg --print-architecture)
 
 # follow_lock: apt takes the versions of the lock file, older ones as well.
-lock=$requests/lock/$(dpkg --print-architecture)
-pip_lock=/usr/local/share/rosml/pip.lock
 follow_lock() {
   [[ -e $lock/apt ]] || return 0
   {
@@ -66,120 +47,85 @@ require_locked() {
     "the archive has other versions now, or your packages need others: write the lock file anew with --lock"
 }
 
-# Archives of apt that earlier builds left on this builder, each by its sha256, in a folder that is in no layer. Any build may have
-# written there, so only an archive counts that has the hash which signed lists say; apt itself would look at its size alone.
-kept=/run/debs
-archives=$scratch/archives
-if [[ -d $kept ]]; then
-  chmod 711 "$scratch" # apt downloads as a user of its own
-  mkdir -p "$archives/partial"
-  echo "Dir::Cache::Archives \"$archives\";" >>"$APT_CONFIG"
-  # The settings of images say no; what is for one program goes before them.
-  echo 'Binary::apt-get::APT::Keep-Downloaded-Packages "true";' >>"$APT_CONFIG"
-fi
-
-# take_kept PACKAGE…: gives apt the archives of these packages, and of what they need, that are kept.
-take_kept() {
-  local _address name _size hash
-  if [[ ! -d $kept ]] || ! apt-get install --yes --print-uris -o Acquire::ForceHash=SHA256 "$@" >"$scratch/wanted" 2>/dev/null; then
-    return # in the second case, apt_install says why
-  fi
-  while read -r _address name _size hash; do
-    hash=${hash#SHA256:}
-    if [[ $hash =~ ^[0-9a-f]{64}$ && -f $kept/$hash && ! -L $kept/$hash ]] && cp "$kept/$hash" "$archives/$name"; then
-      touch "$kept/$hash" 2>/dev/null || true # used now
-      sha256sum --check --status <<<"$hash  $archives/$name" || rm -f "$archives/$name" "$kept/$hash"
+# copy_additional: as ADD of a Dockerfile does, folders by what is in them, and archives unpacked.
+copy_additional() {
+  local place=/docker-ros/additional-files folder file
+  for folder in /run/additional/folders/*/; do
+    mkdir -p $place
+    cp -R --preserve=mode,links "$folder." $place
+  done
+  for file in /run/additional/files/*/*; do
+    mkdir -p $place
+    if tar --list --file="$file" >/dev/null 2>&1; then
+      tar --extract --directory=$place --file="$file"
+    else
+      cp --preserve=mode "$file" $place
     fi
-  done <"$scratch/wanted"
-}
-
-# keep: leaves archives for builds to come, and takes away what none used for a month. Other steps may do so at the same time; their
-# processes have the same numbers. A full disk fails no build.
-keep() {
-  local file hash copy
-  [[ -d $kept ]] || return 0
-  find "$kept" -type f -mtime +30 -delete
-  for file in "$archives"/*.deb; do
-    [[ -f $file ]] || continue
-    hash=$(sha256sum <"$file")
-    hash=${hash%% *}
-    if [[ -e $kept/$hash ]] || ! copy=$(mktemp "$kept/.XXXXXXXXXX"); then continue; fi
-    { chmod 644 "$copy" && cp "$file" "$copy" && mv "$copy" "$kept/$hash"; } || rm -f "$copy"
   done
 }
 
-# script FILE NAME: runs a script of the repository.
-script() {
-  [[ -s $requests/$1 ]] || return 0
-  # shellcheck source=components/containerize/image_variables.sh
-  (cd "${WORKSPACE:-/}" && source "$here/image_variables.sh" && exec bash -e "$requests/$1") ||
-    fail "the script $2 the installation of dependencies ended with $?" "the lines above say why"
+# run_scripts KIND…: the repository's scripts, and the packages between them, in one shell, as in docker-ros: what a script sets or
+# exports, and its folder, reach what follows. If a script ends the shell by `exit 0`, what follows has another one.
+run_scripts() {
+  local parts=("${before[@]}" packages "${after[@]}") reached=$scratch/reached shell=${WORKSPACE:?}/.install-dependencies.sh
+  local next=0 ended place
+  mkdir -p "$WORKSPACE"
+  while ((next < ${#parts[@]})); do
+    for ((place = next; place < ${#parts[@]}; place++)); do
+      echo "echo $place >|$reached"
+      if [[ ${parts[place]} == packages ]]; then
+        echo "$here/script_variables.sh $scratch/of_image $here/install_packages.sh $* || exit"
+      else
+        cat "${parts[place]}"
+      fi
+      echo
+    done >"$shell"
+    echo "echo ${#parts[@]} >|$reached" >>"$shell"
+    ended=0
+    scripts_shell "$shell" || ended=$?
+    next=$(<"$reached")
+    if ((ended && next == ${#before[@]})); then exit "$ended"; fi # it has said why
+    place=before
+    if ((next > ${#before[@]})); then place=after; fi
+    if ((ended)); then fail "the script $place the installation of dependencies ended with $ended" "the lines above say why"; fi
+    if ((++next < ${#parts[@]})); then
+      echo "the script $place the installation of dependencies called exit: what it has set does not reach what follows" >&2
+    fi
+  done
+  rm -f "$shell"
 }
+
+# scripts_shell FILE: a shell with the variables of the image. $scratch/of_image gets those that the step does not have.
+scripts_shell() (
+  cd "$WORKSPACE"
+  env -0 | LC_ALL=C sort -z >"$scratch/of_step"
+  # shellcheck source=components/containerize/image_variables.sh
+  source "$here/image_variables.sh"
+  env -0 | LC_ALL=C sort -z | LC_ALL=C comm -z -23 - "$scratch/of_step" >"$scratch/of_image"
+  for secret in /run/secrets/git-https-*; do # if a person allows it
+    name=${secret##*/}
+    name=${name//-/_}
+    export "${name^^}=$(<"$secret")"
+  done
+  exec bash -e "$1"
+)
 
 use_mirror "$(sed -n 's/^ros-source //p' /usr/local/share/rosml/versions.d/ros 2>/dev/null)"
 packages >"$scratch/packages"
 follow_lock
-rm -f "$pip_lock"
-export SOURCE_DATE_EPOCH=1767225600 # as the files of all parts: nothing here depends on the commit
-kinds=("$@")
-if [[ -d /run/additional ]]; then additional=$(ls -A /run/additional); fi
-if [[ -n ${additional:-} ]]; then
-  mkdir -p /docker-ros/additional-files
-  cp -R --preserve=mode,links /run/additional/. /docker-ros/additional-files
+rm -f /usr/local/share/rosml/pip.lock
+# As the files of all parts: nothing here depends on the commit.
+export SOURCE_DATE_EPOCH=1767225600 PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore PIP_DISABLE_PIP_VERSION_CHECK=1
+shopt -s nullglob
+copy_additional
+before=("$requests"/before/*) after=("$requests"/after/*)
+if [[ ${#before[@]} -gt 0 || ${#after[@]} -gt 0 ]]; then
+  apt_update # what these scripts expect
+  if [[ ${#before[@]} == 0 ]]; then export APT_UPDATED=true; fi # one before may add a source
+  run_scripts "$@"
+else
+  "$here/install_packages.sh" "$@"
 fi
-if [[ -s $requests/before.sh || -s $requests/after.sh ]]; then update_once; fi # what these scripts expect
-script before.sh before
-if [[ -s $requests/before.sh ]]; then updated=; fi # it may have added a source
-listed apt
-listed pip
-mapfile -t debs <"$scratch/apt"
-mapfile -t -O "${#debs[@]}" debs <"$requests/apt"
-mapfile -t requirements <"$scratch/pip"
-if [[ " $* " == *" build "* ]]; then
-  if ! command -v g++ >/dev/null || ! command -v cmake >/dev/null; then debs+=(build-essential cmake); fi
-  if ! command -v colcon >/dev/null; then
-    update_once
-    colcon=$(apt-cache madison python3-colcon-common-extensions) # of ROS's own apt source; Debian has its parts
-    if [[ -n $colcon ]]; then debs+=(python3-colcon-common-extensions); else debs+=(colcon); fi
-  fi
-  # What the build and the tests call colcon for: without some of these it builds nothing, or leaves no setup.bash.
-  for extension in bash cmake metadata output package_information package_selection ros; do
-    if ! python3 -c "import colcon_$extension" 2>/dev/null; then debs+=("python3-colcon-${extension//_/-}"); fi
-  done
-fi
-if [[ ${#requirements[@]} -gt 0 || -s $requests/pip ]] && ! python3 -m pip --version >/dev/null 2>&1; then debs+=(python3-pip); fi
-
-# catkin leaves Python tests out where it is missing, and manifests seldom name it.
-if [[ " $* " == *" test "* && ${ROS_VERSION:-} == 1 ]]; then
-  update_once
-  nose=$(apt-cache search --names-only '^python3-nose$')
-  if [[ -n $nose ]]; then debs+=(python3-nose); fi
-fi
-
-# In an image for programs that are built: what they need, without packages with headers.
-if [[ -e /etc/dpkg/dpkg.cfg.d/rosml-runtime && ${#debs[@]} -gt 0 ]]; then
-  update_once
-  needed=$("$here/../ros/runtime_packages.py" "${debs[@]}")
-  mapfile -t debs <<<"$needed"
-fi
-
-missing=()
-for name in "${debs[@]}"; do
-  [[ -n $name ]] || continue
-  status=$(dpkg-query --show --showformat '${db:Status-Status}' "$name" 2>/dev/null || true)
-  if [[ $status != installed ]]; then missing+=("$name"); fi
-done
-if [[ ${#missing[@]} -gt 0 ]]; then
-  update_once
-  take_kept "${missing[@]}"
-  apt_install "${missing[@]}"
-  keep
-fi
-export PIP_BREAK_SYSTEM_PACKAGES=1 PIP_NO_CACHE_DIR=1 PIP_ROOT_USER_ACTION=ignore PIP_DISABLE_PIP_VERSION_CHECK=1
-if [[ ${#requirements[@]} -gt 0 || -s $requests/pip ]]; then
-  PYTHONHASHSEED=0 "$here/pip_install.py" "$pip_lock" "$lock/pip" --requirement "$requests/pip" "${requirements[@]}"
-fi
-script after.sh after
 require_locked "$scratch/packages"
 
 # What clean.sh takes away, and a package or a script made: folders for logs and caches, and what programs downloaded for root.

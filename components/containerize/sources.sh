@@ -13,9 +13,14 @@ for name in target upstream; do
   # Without git's folders, and without files of secrets.
   tar --create --directory "/run/sources/$name" --exclude=.git --exclude=.env . | tar --extract --directory "src/$name" --no-same-owner
 done
-if [[ -s /run/requests/identification.sh ]]; then
+script=$(cd /run/requests/identification && find . -type f -printf %P)
+if [[ -n $script ]]; then
+  # It runs at its place, which it may ask for. .dockerignore may have left it out.
+  mkdir -p "$(dirname "src/target/$script")"
+  cat "/run/requests/identification/$script" >"src/target/$script"
+  chmod a+x "src/target/$script"
   # shellcheck source=components/containerize/image_variables.sh
-  if (source "$here/image_variables.sh" && exec /run/requests/identification.sh); then :; else
+  if (source "$here/image_variables.sh" && exec "src/target/$script"); then :; else
     echo "error: the script before the identification of dependencies ended with $?; the lines above say why" >&2
     exit 1
   fi

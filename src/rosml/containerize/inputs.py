@@ -117,7 +117,9 @@ class Values:
     enable_recursive_additional_debs: bool = _flag(_RECURSIVE)
     additional_pip_file: str = _text("requirements for pip, one a line", "docker/additional-pip-requirements.txt")
     enable_recursive_additional_pip: bool = _flag(_RECURSIVE)
-    additional_files_dir: str = _text("folder that becomes /docker-ros/additional-files", "docker/additional-files")
+    additional_files_dir: str = _text(
+        "where the path of files begins that become /docker-ros/additional-files", "docker/additional-files"
+    )
     before_dependency_identification_script: str = _text(
         "script that may change the sources before their dependencies are read",
         "docker/before_dependency_identification.sh",
@@ -139,6 +141,11 @@ class Values:
     )
     allow_mirror_password: bool = _flag(
         "let steps that run code of the repository have the password in the address of your apt mirror",
+        in_repository=NO,
+    )
+    allow_script_secrets: bool = _flag(
+        "let the scripts before and after the installation of dependencies have git-https-server, git-https-user and"
+        " git-https-password, as variables",
         in_repository=NO,
     )
     git_https_server: str = _text(

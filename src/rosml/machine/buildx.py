@@ -144,6 +144,7 @@ class Bake:
     glance: str = ""  # what a call does that only copies files out of an image; its steps are not shown
     shares: str = ""  # the name of steps that other calls have as well; calls with the same name take turns
     beside: Sequence[str] = ()  # targets that the call builds as well
+    hidden: Sequence[str] = ()  # texts that no line of the output shows
 
 
 IMAGES = "images"
@@ -280,7 +281,7 @@ def _run(services: Services, bake: Bake, mode: Literal["w", "a"]) -> tuple[Build
     with log_path.open(mode) as log:
         arguments = command(services, bake, metadata)
         log.write(f"$ {shlex.join(arguments)}\n")
-        progress = BuildProgress(sys.stderr, log, summary=bake.glance)
+        progress = BuildProgress(sys.stderr, log, summary=bake.glance, hidden=bake.hidden)
         env, null, pipe = environment(services, bake), subprocess.DEVNULL, subprocess.PIPE
         try:
             process = subprocess.Popen(

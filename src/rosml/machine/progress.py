@@ -118,6 +118,7 @@ class BuildProgress:
     Args:
         log: gets everything, as plain text.
         summary: what the build does, in place of lines about its steps; empty to show these.
+        hidden: texts that no line of a step shows.
     """
 
     def __init__(
@@ -126,11 +127,13 @@ class BuildProgress:
         log: TextIO | None = None,
         clock: Callable[[], float] = time.monotonic,
         summary: str = "",
+        hidden: Iterable[str] = (),
     ) -> None:
         self.steps: dict[str, Step] = {}
         self.other: deque[str] = deque(maxlen=TAIL_LINES)
         self._out, self._log, self._clock, self._summary = out, log, clock, summary
         self._begin = self._spoke = clock()
+        self._hidden = [text for text in hidden if text]
         self._lock = threading.Lock()
         self._unfinished: dict[tuple[str, str], bytes] = {}
 
@@ -209,7 +212,10 @@ class BuildProgress:
 
     def _print(self, vertex: str, data: bytes) -> None:
         step = self.steps.get(vertex)
-        for line in data.decode(errors="replace").splitlines():
+        output = data.decode(errors="replace")
+        for text in self._hidden:
+            output = output.replace(text, "***")
+        for line in output.splitlines():
             self._write_log(f"    {line}")
             if step is not None and line.strip():
                 step.tail.append(line.rstrip())

@@ -13,15 +13,15 @@ from conftest import ROOT
 
 from fakes.stubs import executable
 
-SCRIPT = ROOT / "components/containerize/install.sh"
+SCRIPT = ROOT / "components/containerize/install_packages.sh"
 DEB, OTHER = b"a package", b"a parcel "
 SHA256 = hashlib.sha256(DEB).hexdigest()
 
 
 def run(tmp_path: Path, calls: str) -> str:
-    """Calls functions of install.sh; apt wants one package, `liba_1%3a2_amd64.deb`. Gives what apt's settings are."""
+    """Calls functions of install_packages.sh; apt wants one package, `liba_1%3a2_amd64.deb`. Gives what apt's settings are."""
     text = SCRIPT.read_text()
-    functions = text[text.index("kept=/run/debs") : text.index("# script FILE NAME")].replace(
+    functions = text[text.index("kept=/run/debs") : text.index("listed apt")].replace(
         "/run/debs", f"{tmp_path}/kept"
     )
     answer = f"Reading package lists...\n'http://x/liba.deb' liba_1%3a2_amd64.deb {len(DEB)} SHA256:{SHA256}"

@@ -49,6 +49,14 @@ PASSED, TESTS = "passed", "tests"
 FAILED = "target-results"
 """The target that leaves the reports of the app's own tests alone, in the archive of `RESULTS`."""
 
+DOCKER_ROS = {
+    "COLCON_HOME": "/docker-ros/ws/.colcon",
+    "DOCKER_ROS": "1",
+    "RCUTILS_COLORIZED_OUTPUT": "1",
+    "WORKSPACE": "/docker-ros/ws",
+}
+"""Variables of docker-ros' images. Steps have them by components/containerize/Dockerfile."""
+
 STAGES = ("app", "runtime", "workspace")
 SLIM_STAGES = ("slim-app", "slim-runtime")
 PACKAGES = "packages"
@@ -186,6 +194,10 @@ def _common(recipe: Recipe, contexts: Mapping[str, str]) -> dict[str, Any]:
     common = steps(recipe.call.services, recipe.call.environment, recipe.call.names.platforms)
     if values.parallel_jobs:  # as a secret: the result does not depend on it, so steps need not run again
         common["secret"].append("type=env,id=parallel-jobs,env=PARALLEL_JOBS")
+    if values.allow_script_secrets:
+        common["secret"] += [
+            f"type=env,id={variable.lower().replace('_', '-')},env={variable}" for variable in script_secrets(values)
+        ]
     folders = {name: str(path) for name, path in inputs.contexts.items()}
     return {
         **common,
@@ -201,8 +213,17 @@ def _common(recipe: Recipe, contexts: Mapping[str, str]) -> dict[str, Any]:
             "CONDITIONS": inputs.conditions,
             "MANIFESTS": "changed" if inputs.hooked else "manifests",
             "DOWNSTREAM": "downstream-results" if values.downstream_workspace else "nothing",
+            # Their values are in no key of the builder's cache, so a step with them is another one than a step without.
+            **({"SCRIPT_SECRETS": "true"} if values.allow_script_secrets else {}),
+            **({"RMW_IMPLEMENTATION": values.rmw_implementation} if values.rmw_implementation else {}),
         },
     }
+
+
+def script_secrets(values: Values) -> dict[str, str]:
+    """The variables that scripts of the repository get if the user allows it."""
+    names = ("git-https-server", "git-https-user", "git-https-password")
+    return {name.upper().replace("-", "_"): text for name in names if (text := values.text(name))}
 
 
 def _base_targets(recipe: Recipe) -> dict[str, Any]:
@@ -267,7 +288,7 @@ def _literal(value: Any) -> Any:
 def _variables(target: str, inputs: Inputs) -> dict[str, str]:
     """The variables of an image that its base image does not have, as arguments of its Dockerfile."""
     values = inputs.values
-    variables = {"WORKSPACE": "/docker-ros/ws"}
+    variables = dict(DOCKER_ROS)
     if inputs.distribution != inputs.base_of(target).environment.get("ROS_DISTRO"):
         variables["ROS_DISTRO"] = inputs.distribution
     if values.rmw_implementation:
@@ -298,9 +319,10 @@ def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:
             lines.append(f"USER {user}")
         # bash becomes a simple command, so that this gets the signals.
         command = ["bash", "-c", 'exec bash -c "$DEFAULT_CMD"']
-    for name in _variables(target, inputs):
+    for name in (*_variables(target, inputs), "APP_TARGETARCH"):
         lines += [f"ARG {name}", f"ENV {name.removeprefix('APP_')}=${{{name}}}"]
-    return "\n".join([*lines, f"CMD {json.dumps(command)}", ""])
+    # Of each platform its own, so it is no value that bake passes.
+    return "\n".join(["ARG APP_TARGETARCH=${TARGETARCH}", *lines, f"CMD {json.dumps(command)}", ""])
 
 
 def _labels(inputs: Inputs, name: str, target: str, replaced: Sequence[str]) -> dict[str, str]:

@@ -97,14 +97,16 @@ def write(call: Call, base: Base, slim: Base | None, followed_lock: Lock | None)
     packages = counted(counts["target"] + counts["upstream"], "package")
     packages += f", and {counts['downstream']} that use them," if counts["downstream"] else ""
     say(f"{packages} for {', '.join(call.names.platforms)}")
-    if additional := workspace.additional_files(values.additional_files_dir, folder):
-        workspace.stage(additional, state / "additional")
+    additional = workspace.additional_files(values.additional_files_dir, folder)
+    workspace.stage_additional(additional, state / "additional", IgnoredFiles(folder))
+    if values.allow_script_secrets:
+        say("the scripts before and after the installation of dependencies get your git-https-password (--allow-script-secrets)")
     if local := buildx.local_servers(call.services):
         say(
             f"{' and '.join(local)}: on this machine, so steps of the build share its network: the repository's code"
             " reaches what listens here"
         )
-    hooked = (requests / "identification.sh").stat().st_size > 0
+    hooked = any((requests / workspace.IDENTIFICATION).iterdir())
     if not hooked:  # a script may make other packages
         _require_buildable(call, base, conditions, requests, manifests)
     commit = git.commit(folder, say) or git.Commit("", TIME)

@@ -104,8 +104,8 @@ def inputs_digest(folder: Path, values: Values) -> str:
         requests = Path(scratch, "requests")
         workspace.write_requests(values, folder, Path(scratch, "none"), {}, requests)
         facts.append(stage_cache.tree(requests))
-    if additional := workspace.additional_files(values.additional_files_dir, folder):
-        facts.append(stage_cache.tree(additional))
+    for path in workspace.additional_files(values.additional_files_dir, folder):
+        facts.append([path.name, stage_cache.tree(path)])
     scripts = [bake_file.SCRIPTS / part for part in ("containerize", "build", "ros")]
     facts += [stage_cache.tree(folder, {"__pycache__"}) for folder in scripts]
     return hashlib.sha256(json.dumps(facts).encode("utf-8", "surrogateescape")).hexdigest()

@@ -75,6 +75,8 @@ def keys(inputs: Inputs, platforms: tuple[str, ...]) -> Keys:
         "ros": inputs.distribution,
         "skip-keys": values.skip_keys,
         "conditions": inputs.conditions,
+        **({"script-secrets": True} if values.allow_script_secrets else {}),
+        **({"middleware": values.rmw_implementation} if values.rmw_implementation else {}),
         **({"adopted": inputs.base.adopted.inputs} if inputs.base.adopted else {}),
         **({"slim": inputs.slim.digest} if inputs.slim else {}),
         **({"addons": [*inputs.base.addons.parts.values()]} if inputs.base.addons else {}),
@@ -113,7 +115,9 @@ def tree(folder: Path, without: Container[str] = ()) -> str:
 
 
 def _paths(folder: Path, without: Container[str]) -> Iterator[Path]:
-    """A folder and everything below it, in an order that does not depend on the disk."""
+    """A folder and everything below it, in an order that does not depend on the disk; a file alone."""
+    if folder.is_file():
+        yield folder
     for path, folders, names in os.walk(folder):
         folders[:] = sorted(name for name in folders if name not in without)
         links = [name for name in folders if Path(path, name).is_symlink()]

@@ -193,8 +193,16 @@ def _bake(recipe: Recipe, target: str, file: Path) -> Mapping[str, str]:
 
 def _bake_call(call: Call, target: str, file: Path, glance: str = "") -> buildx.Bake:
     name = f"containerize-{call.state.name}" + (f"-{target}" if glance else "")
-    jobs = {"PARALLEL_JOBS": call.values.parallel_jobs}
-    return buildx.Bake(target, name, file, variables=jobs, foreign=bake_file.FOREIGN, glance=glance)
+    secrets = bake_file.script_secrets(call.values) if call.values.allow_script_secrets else {}
+    return buildx.Bake(
+        target,
+        name,
+        file,
+        variables={"PARALLEL_JOBS": call.values.parallel_jobs, **secrets},
+        foreign=bake_file.FOREIGN,
+        glance=glance,
+        hidden=call.values.git_https_password.splitlines(),
+    )
 
 
 def _explain_unavailable(recipe: Recipe, error: RosmlError, file: Path) -> None:

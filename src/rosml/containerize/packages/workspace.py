@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import contextlib
+import glob
 import os
 import re
 import shutil
 import stat
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -22,6 +23,9 @@ from rosml.containerize.within import SECRET
 
 BLACKLIST = "blacklist"
 """The request that names packages to leave out."""
+
+IDENTIFICATION = "identification"
+"""The folder of the request to run a script before dependencies are read. The script has the path there that it has in the repository."""
 
 HIDING = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 """Files that keep colcon from looking for packages in a folder."""
@@ -208,12 +212,27 @@ def stale(requests: Path, manifests: Path) -> Iterator[str]:
         yield f"{len(unknown) - MOST_UNKNOWN:,} more names are to be left out, and no package has them"
 
 
-def additional_files(name: str, folder: Path) -> Path | None:
-    """The repository's folder of additional files; None if it has none."""
-    if not name:
-        return None
-    _require_named("additional-files-dir", name, folder, "folder")
-    return folder / name if within.exists(folder / name, folder, folder=True) else None
+def additional_files(name: str, folder: Path) -> list[Path]:
+    """The repository's files and folders whose paths begin with a name, as `ADD name*` of a Dockerfile takes them."""
+    pattern = f"{name.lstrip('/')}*"
+    names = sorted(glob.glob(pattern, root_dir=folder, include_hidden=True)) if name else []
+    if name and not names and name != inputs.default("additional-files-dir"):
+        text = f"additional-files-dir: there is no {pattern} in {folder}"
+        raise RosmlError(text, "check its name", exit_code=2)
+    paths = [folder / item for item in names if Path(item).name not in SECRET]
+    return [path for path in paths if within.exists(path, folder, folder=path.is_dir())]
+
+
+def stage_additional(paths: Iterable[Path], out: Path, ignored: IgnoredFiles) -> None:
+    """Makes the folder that the builder gets of additional files: files apart, since archives among them are unpacked."""
+    shutil.rmtree(out, ignore_errors=True)
+    for number, path in enumerate(path for path in paths if not ignored(path)):
+        place = out / ("folders" if path.is_dir() else "files") / f"{number:04}"
+        if path.is_dir():
+            stage(path, place, ignored=ignored)
+        else:
+            place.mkdir(parents=True)
+            _link(path.resolve(), place / path.name, path.parent)
 
 
 def _require_named(name: str, value: str, folder: Path, kind: str = "file") -> None:
@@ -223,18 +242,18 @@ def _require_named(name: str, value: str, folder: Path, kind: str = "file") -> N
 
 
 def write_requests(values: Values, folder: Path, upstream: Path, environment: Mapping[str, str], out: Path) -> None:
-    """Writes additional packages, scripts, and packages to leave out, each into a file. It is empty if the repository has none."""
+    """Writes additional packages and packages to leave out, each into a file, and scripts, each into a folder."""
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
 
-    def text(name: str, recursive: str = "") -> str:
+    def texts(name: str, recursive: str = "") -> list[str]:
         path = values.text(name)
         every = bool(recursive) and values.text(recursive) == "true"
         if path and not every:
             _require_named(name, path, folder)
-        return text_of(folder, path, (folder, upstream) if every else ()) if path else ""
+        return _texts(folder, path, (folder, upstream) if every else ()) if path else []
 
-    debs = lines_of(text("additional-debs-file", "enable-recursive-additional-debs"))
+    debs = lines_of("".join(texts("additional-debs-file", "enable-recursive-additional-debs")))
     if values.rmw_implementation and environment.get("ROS_VERSION") != "1":
         distribution = values.ros_distro or environment.get("ROS_DISTRO", "")
         debs.append(f"ros-{distribution}-{values.rmw_implementation.replace('_', '-')}")
@@ -242,26 +261,28 @@ def write_requests(values: Values, folder: Path, upstream: Path, environment: Ma
         if not re.fullmatch(r"[a-z0-9][a-z0-9.+-]*(:[a-z0-9-]+)?(=\S+)?", name):
             problem = f"{values.additional_debs_file}: {name!r} is no package of apt"
             raise RosmlError(problem, "write one a line: name or name=version", exit_code=2)
-    blacklist = lines_of(text("blacklisted-packages-file", "enable-recursive-blacklisted-packages"))
-    before, after = "before-dependency-installation-script", "after-dependency-installation-script"
+    blacklist = lines_of("".join(texts("blacklisted-packages-file", "enable-recursive-blacklisted-packages")))
+    identification = os.path.normpath(values.before_dependency_identification_script)
     requests = {
         "apt": "".join(f"{line}\n" for line in debs),
-        "pip": text("additional-pip-file", "enable-recursive-additional-pip"),
+        "pip": "".join(texts("additional-pip-file", "enable-recursive-additional-pip")),
         BLACKLIST: "".join(f"{line}\n" for line in blacklist),
-        "identification.sh": text("before-dependency-identification-script"),
-        "before.sh": text(before, f"enable-recursive-{before}"),
-        "after.sh": text(after, f"enable-recursive-{after}"),
+        **{f"{IDENTIFICATION}/{identification}": text for text in texts("before-dependency-identification-script")},
     }
+    for kind in ("before", "after"):
+        name = f"{kind}-dependency-installation-script"
+        requests |= {f"{kind}/{number:04}": text for number, text in enumerate(texts(name, f"enable-recursive-{name}"))}
+    (out / IDENTIFICATION).mkdir()
     for name, content in requests.items():
+        (out / name).parent.mkdir(parents=True, exist_ok=True)
         (out / name).write_text(content)
-    (out / "identification.sh").chmod(0o755)  # it runs by its first line
 
 
-def text_of(folder: Path, name: str, roots: tuple[Path, ...] = ()) -> str:
-    """The text of a file of the repository; with roots, that of all files of its name below them, without those of git."""
+def _texts(folder: Path, name: str, roots: tuple[Path, ...]) -> list[str]:
+    """The text of a file of the repository, or with roots those of all files of its name below them, without those of git. None is empty."""
     paths = [(path, root) for root in roots for path in _of_name(os.path.basename(name), root)]
     texts = [_text(path, root) for path, root in (paths if roots else [(folder / name, folder)])]
-    return "".join(text if text.endswith("\n") or not text else f"{text}\n" for text in texts)
+    return [text if text.endswith("\n") else f"{text}\n" for text in texts if text]
 
 
 def _text(path: Path, root: Path) -> str:

@@ -39,7 +39,7 @@ def write(folder: Path, names: list[str] | tuple[str, ...]) -> None:
 def requests(folder: Path, inputs: dict[str, str], environment: dict[str, str] | None = None) -> dict[str, str]:
     values, out = app_inputs.values(inputs, folder, {}), folder.parent / "requests"
     workspace.write_requests(values, folder, folder.parent / "upstream", environment or {}, out)
-    return {path.name: path.read_text() for path in out.iterdir()}
+    return {str(path.relative_to(out)): path.read_text() for path in out.rglob("*") if path.is_file()}
 
 
 # ---- Manifests -------------------------------------------------------------------------------------------------------
@@ -116,9 +116,10 @@ def test_what_a_repository_asks_for_is_written_down(folder: Path) -> None:
     inputs = {"rmw-implementation": "rmw_cyclonedds_cpp"}
     texts = requests(folder, inputs, {"ROS_VERSION": "2", "ROS_DISTRO": "jazzy"})
     assert texts.pop("apt") == "htop\nnano=7.2-1\nros-jazzy-rmw-cyclonedds-cpp\n"
-    assert texts.pop("after.sh") == "echo done\n" and set(texts.values()) == {""}
+    assert texts.pop("after/0000") == "echo done\n" and set(texts.values()) == {""}
     assert requests(folder, inputs, {"ROS_VERSION": "1", "ROS_DISTRO": "noetic"})["apt"] == "htop\nnano=7.2-1\n"
-    assert requests(folder, {"after-dependency-installation-script": ""})["after.sh"] == "", "nobody wants the default"
+    texts = requests(folder, {"after-dependency-installation-script": ""})
+    assert "after/0000" not in texts, "nobody wants the default"
 
 
 def test_a_request_that_cannot_be_is_refused(folder: Path) -> None:
