@@ -21,9 +21,7 @@ SHA256 = hashlib.sha256(DEB).hexdigest()
 def run(tmp_path: Path, calls: str) -> str:
     """Calls functions of install_packages.sh; apt wants one package, `liba_1%3a2_amd64.deb`. Gives what apt's settings are."""
     text = SCRIPT.read_text()
-    functions = text[text.index("kept=/run/debs") : text.index("listed apt")].replace(
-        "/run/debs", f"{tmp_path}/kept"
-    )
+    functions = text[text.index("kept=/run/debs") : text.index("listed apt")].replace("/run/debs", f"{tmp_path}/kept")
     answer = f"Reading package lists...\n'http://x/liba.deb' liba_1%3a2_amd64.deb {len(DEB)} SHA256:{SHA256}"
     executable(
         tmp_path / "apt-get",

@@ -79,6 +79,7 @@ PASSWORD, KEY, PUSH = {"GIT_HTTPS_PASSWORD": "secret"}, {"GIT_SSH_PRIVATE_KEY": 
         ("PUSH=true", {}, "--push"),
         ("CACHE=evil.example/cache", {}, "--cache evil.example/cache"),
         ("ROSDEP_INDEX=~/secrets", {}, "--rosdep-index '~/secrets'"),
+        ("ALLOW_SCRIPT_SECRETS=true", PASSWORD, "--allow-script-secrets"),
         ("IMAGE_NAME=ghcr.io/me/other", PUSH, "--image-name ghcr.io/me/other"),
         ("IMAGE=ghcr.io/me/other:1", PUSH, "--image-name ghcr.io/me/other"),
         ("ENABLE_PUSH_AS_LATEST=true", PUSH, "--enable-push-as-latest"),
@@ -194,8 +195,8 @@ def test_lists_lose_comments_and_files_of_one_name_come_together(tmp_path: Path)
     for folder, text in (("a", "htop # tools\n"), ("b/c", "\n# none\nnano"), (".git/d", "no\n")):
         (tmp_path / folder).mkdir(parents=True)
         (tmp_path / folder / "debs.txt").write_text(text)
-    every = workspace.text_of(tmp_path, "docker/debs.txt", (tmp_path,))
-    assert workspace.lines_of(every) == ["htop", "nano"]
+    every = workspace.texts_of(tmp_path, "docker/debs.txt", (tmp_path,))
+    assert workspace.lines_of("".join(every)) == ["htop", "nano"]
     assert workspace.lines_of("nano\u2028htop # a\u2028b\n") == ["nano\u2028htop"], "as for git and apt"
-    assert workspace.text_of(tmp_path, "a/debs.txt") == "htop # tools\n"
-    assert workspace.text_of(tmp_path, "docker/debs.txt") == ""
+    assert workspace.texts_of(tmp_path, "a/debs.txt") == ["htop # tools\n"]
+    assert workspace.texts_of(tmp_path, "docker/debs.txt") == []

@@ -35,9 +35,9 @@ class Clock:
 
 
 class Build:
-    def __init__(self, summary: str = "") -> None:
+    def __init__(self, summary: str = "", hidden: tuple[str, ...] = ()) -> None:
         self.out, self.log, self.clock = StringIO(), StringIO(), Clock()
-        self.progress = BuildProgress(self.out, self.log, self.clock, summary)
+        self.progress = BuildProgress(self.out, self.log, self.clock, summary, hidden)
 
     def vertex(self, name: str, **facts: Any) -> None:
         self.progress.feed(json.dumps({"vertexes": [{"digest": f"sha256:{name}", "name": name, **facts}]}) + "\n")
@@ -212,6 +212,16 @@ def test_a_line_that_comes_in_pieces_is_one_line(build: Build) -> None:
     build.vertex(ROS, started=f"{DAY}10Z", completed=f"{DAY}12Z", error="exit code: 100")
     assert list(build.step(ROS).tail) == ["E: Unable to locate package x", "E: für x"]
     assert "    E: Unable to locate package x\n    E: für x\n" in build.log.getvalue()
+
+
+def test_a_secret_that_a_step_prints_is_in_no_line() -> None:
+    """Also if it comes in pieces."""
+    build = Build(hidden=("", "canary-77"))
+    build.vertex(ROS, started=f"{DAY}10Z")
+    for piece in (b"https://me:cana", b"ry-77@x\nof can", b"aries\n"):
+        build.prints(ROS, piece)
+    assert list(build.step(ROS).tail) == ["https://me:***@x", "of canaries"]
+    assert "canary" not in build.log.getvalue()
 
 
 def test_a_line_without_an_end(build: Build) -> None:

@@ -100,7 +100,9 @@ def write(call: Call, base: Base, slim: Base | None, followed_lock: Lock | None)
     additional = workspace.additional_files(values.additional_files_dir, folder)
     workspace.stage_additional(additional, state / "additional", IgnoredFiles(folder))
     if values.allow_script_secrets:
-        say("the scripts before and after the installation of dependencies get your git-https-password (--allow-script-secrets)")
+        say(
+            "the scripts before and after the installation of dependencies get your git-https-password (--allow-script-secrets)"
+        )
     if local := buildx.local_servers(call.services):
         say(
             f"{' and '.join(local)}: on this machine, so steps of the build share its network: the repository's code"

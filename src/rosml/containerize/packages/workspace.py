@@ -251,7 +251,7 @@ def write_requests(values: Values, folder: Path, upstream: Path, environment: Ma
         every = bool(recursive) and values.text(recursive) == "true"
         if path and not every:
             _require_named(name, path, folder)
-        return _texts(folder, path, (folder, upstream) if every else ()) if path else []
+        return texts_of(folder, path, (folder, upstream) if every else ()) if path else []
 
     debs = lines_of("".join(texts("additional-debs-file", "enable-recursive-additional-debs")))
     if values.rmw_implementation and environment.get("ROS_VERSION") != "1":
@@ -278,7 +278,7 @@ def write_requests(values: Values, folder: Path, upstream: Path, environment: Ma
         (out / name).write_text(content)
 
 
-def _texts(folder: Path, name: str, roots: tuple[Path, ...]) -> list[str]:
+def texts_of(folder: Path, name: str, roots: tuple[Path, ...] = ()) -> list[str]:
     """The text of a file of the repository, or with roots those of all files of its name below them, without those of git. None is empty."""
     paths = [(path, root) for root in roots for path in _of_name(os.path.basename(name), root)]
     texts = [_text(path, root) for path, root in (paths if roots else [(folder / name, folder)])]

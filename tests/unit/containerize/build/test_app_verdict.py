@@ -59,6 +59,21 @@ def test_a_mirrors_password_reaches_code_of_the_repository_only_if_the_person_sa
     assert robot.targets
 
 
+def test_scripts_get_the_password_for_git_only_if_the_person_says_so(robot: Robot) -> None:
+    """Steps with it are others than steps without. What it is decides nothing, and is in no file."""
+    robot.build(target="run", git_https_password="canary-77")
+    assert not [secret for secret in robot.targets[0]["secret"] if "git" in secret] and not robot.messages_with(
+        "password"
+    )
+    robot.build(target="run", git_https_password="canary-77", git_https_user="", allow_script_secrets="true")
+    plain, allowed = robot.targets[0], robot.targets[2]
+    secrets = {line.partition(",id=")[2] for line in {*allowed["secret"]} - {*plain["secret"]}}
+    assert secrets == {f"git-https-{name},env=GIT_HTTPS_{name.upper()}" for name in ("server", "password")}
+    assert allowed["args"] == {**plain["args"], "SCRIPT_SECRETS": "true"}
+    assert allowed["variables"]["GIT_HTTPS_PASSWORD"] == "canary-77" and robot.messages_with("--allow-script-secrets")
+    assert "GIT_HTTPS_PASSWORD" not in plain["variables"] and "canary" not in json.dumps(robot.bake_file)
+
+
 ROS_1 = "<package><name>{}</name><buildtool_depend>catkin</buildtool_depend></package>"
 ROS_2 = "<package><name>{}</name><depend>rclpy</depend><export><build_type>ament_python</build_type></export></package>"
 BOTH = (

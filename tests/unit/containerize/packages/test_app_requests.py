@@ -180,12 +180,13 @@ def test_no_link_brings_what_is_secret_into_a_build(place: str, secret: str, fol
     assert caught.value.exit_code == 2 and caught.value.remedy
 
 
-@pytest.mark.parametrize(("target", "inputs"), [("..", {}), ("", {"additional_files_dir": "."}), ("../.git", {})])
+@pytest.mark.parametrize(("target", "inputs"), [("..", {}), ("", {"additional_files_dir": "src"}), ("../.git", {})])
 def test_additional_files_have_nothing_secret(target: str, inputs: dict[str, str], robot: Robot) -> None:
-    for name in (".git/config", "src/sub/.git", ".env"):
+    for name in (".git/config", "src/sub/.git", "src/.env", ".env"):
         robot.write(name, "SECRET=1\n")
-    robot.write("docker/hello")
+    robot.write("src/hello")
     if target:
+        robot.write("docker/here")
         (robot.folder / "docker/additional-files").symlink_to(target)
     if target == "../.git":
         with pytest.raises(RosmlError, match=r"leads to \.git"):
@@ -196,14 +197,35 @@ def test_additional_files_have_nothing_secret(target: str, inputs: dict[str, str
     assert "hello" in names and names.isdisjoint((".git", ".env"))
 
 
-def test_additional_files_are_a_folder(tmp_path: Path) -> None:
+def test_additional_files_are_those_whose_paths_begin_with_the_name(robot: Robot) -> None:
+    """As `ADD docker/additional-files*` takes them: of folders what is in them, without what `.dockerignore` names."""
+    for name in ("additional-files/a/x", "additional-files/y.bag", "additional-files.tgz", "additional-files-2/b", "z"):
+        robot.write(f"docker/{name}")
+    robot.write("docker/additional-files-linked/c")
+    (robot.folder / "docker/additional-files.link").symlink_to("z")
+    robot.write(".dockerignore", "**/*.bag\n")
+    robot.build()
+    staged = Path(robot.targets[0]["contexts"]["additional"])
+    files = {str(path.relative_to(staged)) for path in staged.rglob("*") if path.is_file()}
+    assert {name for name in files if name.startswith("folders")} == {
+        f"folders/{name}" for name in ("0000/a/x", "0001/b", "0002/c")
+    }
+    assert {name for name in files if name.startswith("files")} == {
+        f"files/{name}" for name in ("0003/additional-files.link", "0004/additional-files.tgz")
+    }
+    assert not (staged / "files/0003/additional-files.link").is_symlink()
+    robot.build(additional_files_dir="docker/additional-files/")
+    staged = Path(robot.targets[-1]["contexts"].get("additional", staged))
+    assert sorted(str(path.relative_to(staged)) for path in staged.rglob("*") if path.is_file()) == ["folders/0000/x"]
+
+
+def test_additional_files_may_be_missing(tmp_path: Path) -> None:
     for name in ("docker/additional-files", ""):
-        assert workspace.additional_files(name, tmp_path) is None
+        assert workspace.additional_files(name, tmp_path) == []
     (tmp_path / "files").touch()
-    with pytest.raises(RosmlError, match="files: a file instead of a folder"):
-        workspace.additional_files("files", tmp_path)
-    with pytest.raises(RosmlError, match="additional-files-dir: there is no folder file in"):
-        workspace.additional_files("file", tmp_path)
+    assert workspace.additional_files("file", tmp_path) == [tmp_path / "files"]
+    with pytest.raises(RosmlError, match=r"additional-files-dir: there is no folder\* in"):
+        workspace.additional_files("folder", tmp_path)
 
 
 @pytest.mark.parametrize("name", [".env", "containerize.lock", "docker/additional-debs.txt", "a/package.xml"])
