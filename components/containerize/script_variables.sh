@@ -4,5 +4,6 @@
 # and without the password for git.
 #   script_variables.sh OF_IMAGE COMMAND…   OF_IMAGE: the file with variables of the image
 set -euo pipefail
-mapfile -d '' -t kept < <(env -u GIT_HTTPS_SERVER -u GIT_HTTPS_USER -u GIT_HTTPS_PASSWORD -0 | LC_ALL=C sort -z | LC_ALL=C comm -z -23 - "$1")
+env -u GIT_HTTPS_SERVER -u GIT_HTTPS_USER -u GIT_HTTPS_PASSWORD -0 | LC_ALL=C sort -z | LC_ALL=C comm -z -23 - "$1" >"$1.kept"
+mapfile -d '' -t kept <"$1.kept"
 exec env -i HOME=/root LANG=C.UTF-8 "${kept[@]}" "${@:2}"
