@@ -14,7 +14,7 @@ from rosml.machine.services import Services
 from tests import regctl
 from tests.e2e.app_builds import CANARY, build_app, log_of, package, write
 from tests.e2e.calls import NAMESPACE
-from tests.e2e.images import NATIVE, PLATFORM, config
+from tests.e2e.images import NATIVE, PLATFORM, build_file, config
 
 WORKSPACE = "/docker-ros/ws"
 
@@ -55,7 +55,7 @@ def migrated(folder: Path) -> Path:
     files = {
         "docker/before_dependency_identification.sh": f'#!/bin/bash\n{new}{says("identification")}ls "$(dirname "$0")"/custom.sh\n',
         "docker/before_dependency_installation.sh": f"{new}{says('before')}rm -rf /tmp/*\nexport GREETING=hello\ncd /opt\n"
-        "echo 'DPkg::Pre-Invoke {\"echo apt says $GREETING in $(pwd)\";};' >/etc/apt/apt.conf.d/99greets\n",
+        "echo 'DPkg::Pre-Invoke {\"echo apt says $GREETING\";};' >/etc/apt/apt.conf.d/99greets\n",
         "docker/custom.sh": f"{says('after')}rm /etc/apt/apt.conf.d/99greets\necho after says $GREETING in $PWD\n"
         "(cd /docker-ros/additional-files && find . -type f | sed 's/^/additional has /')\n",
         "docker/additional-debs.txt": "tree\n",
@@ -79,7 +79,10 @@ def test_variables_and_files_are_those_of_docker_ros(base: str, services: Servic
         present = dict(entry.partition("=")[::2] for entry in entries)
         assert {key: present.get(key) for key in variables} == variables, place
         assert not present.keys() & LEFT_OUT.keys(), place
-    assert {*re.findall(r"(?:apt|after) says .*", log)} == {f"{who} says hello in /opt" for who in ("apt", "after")}
+    assert {*re.findall(r"^ *((?:apt|after) says .*)", log, re.MULTILINE)} == {
+        "apt says hello",
+        "after says hello in /opt",
+    }
     assert {*re.findall(r"additional has (.*)", log)} == {"./some/file", "./additional-files.txt"}
 
 
@@ -111,6 +114,12 @@ def test_scripts_have_the_password_for_git_if_a_person_allows_it(
     seen = re.findall(r"it is (\w+) .* or (.*)\.$", log, re.MULTILINE)
     assert {*seen} == ({(empty, ""), (full, "***")} if allowed else {(empty, "")})
     assert CANARY not in log and ("user-77" in log) is allowed
+    lines = ""
     for target in ("run", "dev"):
         content = str(regctl.image_config(services, result[target]["reference"], PLATFORM))
         assert CANARY not in content and "user-77" not in content
+        lines += f"FROM {result[target]['reference']} AS {target}\n"
+        lines += f"RUN ! grep -r -s -F -e {CANARY} /dev/shm /docker-ros /etc /opt /root /run /tmp /usr/local /var\n"
+    build_file(
+        services, tmp_path / "check", f"{lines}FROM scratch\nCOPY --from=run /tini /run\nCOPY --from=dev /tini /dev\n"
+    )
