@@ -121,6 +121,31 @@ def test_a_job_that_is_run_again_leaves_what_it_made_by_then() -> None:
             assert before["with"]["name"] == options["artifact_name"]
 
 
+# ---- Actions ---------------------------------------------------------------------------------------------------------
+
+USING = {
+    "actions/cache@9255dc7a253b0ccc959486e2bca901246202afeb # v5.0.1": "node24",
+    "actions/checkout@de0fac2e4500dabe0009e67214ff5f5447ce83dd # v6.0.2": "node24",
+    "actions/deploy-pages@cd2ce8fcbc39b97be8ca5fce6e763baed58fa128 # v5.0.0": "node24",
+    "actions/download-artifact@37930b1c2abaa49bbe596cd826c3c89aef350131 # v7.0.0": "node24",
+    "actions/upload-artifact@b7c566a772e6b6bfb58ed0dc250532a479d7789f # v6.0.0": "node24",
+    "actions/upload-pages-artifact@fc324d3547104276b827a68afc52ff2a11cc49c9 # v5.0.0": "node24",  # by upload-artifact v7.0.0
+    "docker/login-action@4907a6ddec9925e35a0a9e82d7399ccc52663121 # v4.1.0": "node24",
+    "peter-evans/create-pull-request@98357b18bf14b5342f975ff684046ec3b2a07725 # v8.0.0": "node24",
+}
+"""What runs each action, by `runs.using` of its action.yml. Read on 2026-11-29 in clones of the actions' repositories, where each
+commit has the tag beside it: `git tag --points-at COMMIT`, `git show COMMIT:action.yml`. Read both before you add one."""
+
+
+def test_every_action_is_pinned_once_and_runs_on_a_node_that_github_has() -> None:
+    """GitHub takes node20 off its machines in 2026."""
+    command = ["git", "grep", "-hoE", r"uses: [A-Za-z-]+/[^@ ]+@[0-9a-f]{40} # v[0-9.]+", "--", ":!tests"]
+    lines = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout.splitlines()
+    pins = {re.sub(r"^uses: ([\w-]+/[\w-]+)[^@]*", r"\1", line) for line in lines}
+    assert pins == USING.keys()
+    assert {*USING.values()} == {"node24"}
+
+
 # ---- Rights ----------------------------------------------------------------------------------------------------------
 
 
