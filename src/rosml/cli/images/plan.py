@@ -56,7 +56,7 @@ def main(everywhere: bool, shards: int, why: bool, output: Path | None, **option
     plan = make_plan(state, shards, why) if everywhere or output or call.as_json else None
     if output and plan:
         files.write(output, plan.text())
-        report.plan_to_ci(plan, report.cost(state, plan.shards))
+        report.plan_to_ci(plan, state.image_set, report.cost(state, plan.shards))
     if call.as_json and plan:
         terminal.echo(plan.text(), nl=False)
         return

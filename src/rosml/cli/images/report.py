@@ -14,7 +14,8 @@ from rosml.base.units import duration, size, time_taken
 from rosml.cli.images import tables
 from rosml.images.builds import disk
 from rosml.images.image_set.missing_locks import UNLOCKED
-from rosml.images.image_set.model import Image
+from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.publish import status
 from rosml.images.publish.plan import Plan
 from rosml.images.publish.run import Outcome, Run
 from rosml.images.publish.shards import Shard
@@ -22,18 +23,29 @@ from rosml.images.publish.state import State
 from rosml.images.records import store
 
 
-def plan_to_ci(plan: Plan, cost: str) -> None:
-    """Gives a plan to CI: its shards as an output, for the matrix of the jobs that build; counts and its cost as a summary."""
+def plan_to_ci(plan: Plan, image_set: ImageSet, cost: str) -> None:
+    """Gives a plan to CI: its shards as an output, for the matrix of the jobs that build; as a summary counts, its cost, and what it
+    leaves out."""
     github.output("shards", json.dumps([{"name": shard.name, "runner": shard.runner} for shard in plan.shards]))
     counts = Counter(step for task in plan.tasks for step in task.steps)
     lines = [f"- {step}: {number}" for step, number in counts.items()] or ["- nothing to do"]
     lines += [f"- up to date: {plan.unchanged}"]
     unlocked = {task.target for task in plan.tasks if task.kind != "part" and task.hindered.startswith(UNLOCKED)}
-    lines += [f"- without a lock: {counted(len(unlocked), 'image')}, which cannot be built yet"] if unlocked else []
-    lines += [*(f"- {remark}" for remark in plan.remarks), f"- {cost}", ""]
+    remarks = (*tables.unlocked([image_set.by_target[target] for target in unlocked]), *plan.remarks)
+    lines += [*(f"- {remark}" for remark in remarks), f"- {cost}", ""]
     rows = tables.shard_rows(plan.shards)
-    text = "\n".join(lines) + "\n" + (github.table(tables.SHARDS, rows) if rows else "")
+    text = "\n".join(lines) + "\n" + (github.table(tables.SHARDS, rows) if rows else "") + _left_out(plan)
     github.summary(f"\n## Plan of {plan.date} for {plan.registry}\n\n{text}")
+
+
+def _left_out(plan: Plan) -> str:
+    """What the run cannot do, by what it waits for: a lock that is missing, a package, something below it."""
+    targets: dict[str, dict[str, None]] = {}
+    for task in plan.tasks:
+        if task.hindered:
+            targets.setdefault(status.without_target(task.hindered), {})[task.target] = None
+    causes = ((f"### {len(names)} left out: {github.code(reason)}", names) for reason, names in targets.items())
+    return "".join(f"\n{head}\n\n{tables.folded([*names])}\n" for head, names in causes)
 
 
 def print_plan(state: State, why: bool) -> None:

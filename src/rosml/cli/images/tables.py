@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from rosml.base import github, terminal
@@ -94,13 +94,17 @@ def short(version: str) -> str:
 
 
 def print_unlocked(images: Collection[Image]) -> None:
-    """Prints how many of some images lack a lock, with a line for each remedy."""
+    for line in unlocked(images):
+        terminal.say(line, "yellow")
+
+
+def unlocked(images: Collection[Image]) -> Iterator[str]:
+    """Says how many of some images lack a lock: a line for each remedy."""
     lost = sum(bool(image.lost) for image in images)
     waiting = sum(not image.locked for image in images) - lost
     for count, remedy in ((lost, missing_locks.RESTORE), (waiting, missing_locks.ASK_PYTORCH)):
         if count:
-            text = f"{counted(count, 'image')} without a lock, which cannot be built yet: {remedy}"
-            terminal.say(text, "yellow")
+            yield f"{counted(count, 'image')} without a lock, which cannot be built yet: {remedy}"
 
 
 SHARDS = ("shard", "runner", "distributions", "images", "parts", "minutes (estimate)", "GB download", "GB disk")
@@ -179,6 +183,13 @@ def _ahead(ahead: Mapping[str, int]) -> str:
     return f"a further run would {steps}" if steps else "a further run has nothing to do"
 
 
+def folded(targets: Sequence[str]) -> str:
+    """Names of images in a summary; many are folded."""
+    names = ", ".join(f"`{name}`" for name in targets)
+    many = len(targets) > MANY
+    return f"<details><summary>{some(targets)}</summary>\n\n{names}\n</details>" if many else names
+
+
 def status_markdown(
     place: str, statuses: Sequence[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]
 ) -> str:
@@ -188,9 +199,7 @@ def status_markdown(
     for cause in causes:
         reason = f": {github.code(cause.reason)}" if cause.reason else ""
         lines += [f"### {counted(len(cause.targets), 'image')} {cause.state}{reason}", ""]
-        names = ", ".join(f"`{name}`" for name in cause.targets)
-        many = len(cause.targets) > MANY
-        lines += [f"<details><summary>{some(cause.targets)}</summary>\n\n{names}\n</details>" if many else names, ""]
+        lines += [folded(cause.targets), ""]
         if cause.log:
             lines += [github.code(cause.log), ""]
     return "\n".join(lines)

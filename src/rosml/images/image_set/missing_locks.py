@@ -55,6 +55,20 @@ def on(thing: Image | Part, architecture: str) -> list[str]:
     return [lock for lock in thing.unlocked if lock.split("/")[2] == architecture]
 
 
+def hindrance(thing: Image | Part, architecture: str) -> str:
+    """Why an image or part cannot be built for an architecture, as far as its locks are concerned; empty if it can."""
+    lacking, damaged = on(thing, architecture), thing.damaged if isinstance(thing, Image) else ()
+    if not lacking:
+        return ""
+    return f"{UNLOCKED}: {_described(lacking, damaged, some) if {*damaged}.intersection(lacking) else some(lacking)}"
+
+
+def damage(image: Image, architectures: Collection[str]) -> str:
+    """Which locks of an image for some architectures are there and unusable, in words; empty if none is."""
+    locks = [lock for name in architectures for lock in on(image, name) if lock in image.damaged]
+    return _described(locks, locks, some)
+
+
 def reason(image: Image) -> str:
     """The missing locks of an image, in words: `locks/cpu/amd64/3.11/torch.txt is missing`."""
     return _described(image.unlocked, image.damaged, listed)

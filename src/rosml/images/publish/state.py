@@ -221,8 +221,8 @@ class State:
     def hindrance(self, item: Item) -> str:
         """Why an item cannot be built on this machine; empty if it can."""
         image_or_part = item.thing
-        if lacking := missing_locks.on(image_or_part, item.architecture):
-            return f"{missing_locks.UNLOCKED}: {some(lacking)}"
+        if reason := missing_locks.hindrance(image_or_part, item.architecture):
+            return reason
         if item.kind == "joined":  # any machine can join in the registry
             return ""
         if item.architecture not in self.architectures:
@@ -235,6 +235,10 @@ class State:
         systems = self.image_set.matrix.operating_systems
         absent = base_images.missing(self.request.services, systems, image_or_part.os)
         return f"{WAITING}: {absent}" if absent else ""
+
+    def damage(self, thing: Image | Part) -> str:
+        """Which locks of an image are there and unusable: somebody has to correct them. Empty if none is."""
+        return missing_locks.damage(thing, [name for _, name in self.members(thing)]) if isinstance(thing, Image) else ""
 
     def _hindrance_below(self, key: Key) -> str:
         """Why an item, or something below it, cannot be built here."""
@@ -259,6 +263,8 @@ class State:
 
     def unready(self, thing: Image | Part) -> str:
         """Why the index of an image or part cannot be made; empty if it can."""
+        if reason := self.damage(thing):
+            return reason
         keys = self.members(thing)
         if not keys:
             return f"it does not exist for {', '.join(self.request.serve)}"

@@ -30,7 +30,7 @@ STATES = {
 
 published: the tag points at an index that is up to date. Architectures that were never built do not count.
 outdated: the tag points at something older.
-failed: the last build, join, test or index failed.
+failed: the last build, join, test or index failed, or a lock is there and cannot be used.
 missing: the image is not published yet.
 lock missing: the image cannot be built without the lock.
 waiting for a builder: this machine cannot build the image."""
@@ -83,9 +83,9 @@ def _state(state: State, thing: Image | Part, tagged: str) -> tuple[str, str]:
     if failures := [f"{entry.architecture}: {_reason(entry)}" for entry in entries if _has_failed(state, entry)]:
         return "failed", "; ".join(failures)
     lacking = sum(len(missing_locks.on(thing, architecture)) for _, architecture in members)
+    if damage := state.damage(thing):
+        return "failed", damage
     if lacking and not tagged:
-        if isinstance(thing, Image) and thing.damaged:
-            return UNLOCKED, missing_locks.reason(thing)
         return UNLOCKED, f"{lacking} of its locks are missing"
     why = [f"{key[1]}: {reason}" for key in members if (reason := _first_reason(state, key))]
     only_elsewhere = all(reason.endswith(ELSEWHERE) for reason in why)
@@ -127,7 +127,12 @@ class Cause:
 
 
 _FOR = re.compile(r" \(for [\w.-]+\)")
-"""What an image waits for is often what another one, on which it stands, waits for."""
+
+
+def without_target(reason: str) -> str:
+    """A reason without the image or part below that waits: all that stand on it have the same cause."""
+    return _FOR.sub("", reason)
+
 
 OPEN = ("failed", "outdated", "missing")
 """The states of images that another run may publish."""
@@ -139,7 +144,7 @@ def causes(statuses: Sequence[ImageStatus], architectures: Iterable[str]) -> lis
     groups: dict[tuple[str, str], list[ImageStatus]] = {}
     for image in statuses:
         if image.state != "published":
-            reason = "" if image.state == UNLOCKED else _FOR.sub("", names.sub("", image.reason))
+            reason = "" if image.state == UNLOCKED else without_target(names.sub("", image.reason))
             parts = dict.fromkeys(UNLOCKED if part.startswith(UNLOCKED) else part for part in reason.split("; "))
             if len(parts) > 1:
                 parts.pop(ELSEWHERE, None)  # a publishing run has machines of all architectures

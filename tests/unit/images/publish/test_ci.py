@@ -25,7 +25,7 @@ from rosml.images.builds import disk
 from rosml.images.image_set import locked, missing_locks
 from rosml.images.image_set.model import ImageSet
 from rosml.images.matrix.sizes import Size
-from rosml.images.publish import revision
+from rosml.images.publish import revision, status
 from rosml.images.publish.plan import Plan, make_plan, read_plan
 from rosml.images.records.store import Entry
 
@@ -63,7 +63,7 @@ def content(registry: Publisher, image_set: ImageSet, **options: Any) -> tuple[d
 
 def test_a_plan_is_the_matrix_of_the_jobs_that_build(registry: Publisher, image_set: ImageSet, ci: Path) -> None:
     plan, made_plan = content(registry, image_set)
-    report.plan_to_ci(made_plan, "it costs a minute")
+    report.plan_to_ci(made_plan, image_set, "it costs a minute")
     name, _, value = (ci / github.OUTPUT).read_text().partition("=")
     assert name == "shards"
     shards = json.loads(value)
@@ -116,14 +116,14 @@ def test_no_machine_is_planned_where_nothing_is_built_or_tested(
     registry: Publisher, image_set: ImageSet, ci: Path
 ) -> None:
     registry.publish(image_set)
-    report.plan_to_ci(content(registry, image_set, date=NEXT)[1], "")
+    report.plan_to_ci(content(registry, image_set, date=NEXT)[1], image_set, "")
     assert (ci / github.OUTPUT).read_text() == "shards=[]\n"
     assert "- nothing to do" in (ci / github.SUMMARY).read_text()
     scan, _ = content(registry, image_set, date=NEXT, scanning="sha256:1")
     assert ({step for task in scan["tasks"] for step in task["steps"]}, scan["shards"]) == ({"scan"}, [])
 
 
-def test_what_lacks_a_lock_has_a_line_of_its_own(
+def test_what_lacks_a_lock_is_named_with_the_lock_and_the_command_that_makes_it(
     registry: Publisher, image_set: ImageSet, project: Path, ci: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     torch_locks = {name for name in image_set.locks if name.endswith("amd64/3.12/torch.txt")}
@@ -136,8 +136,12 @@ def test_what_lacks_a_lock_has_a_line_of_its_own(
     *_, counts, line = capsys.readouterr().out.splitlines()
     assert counts.endswith(" up to date")
     assert line == f"{images} without a lock, which cannot be built yet: {missing_locks.RESTORE}"
-    report.plan_to_ci(make_plan(run.state, 4), "")
-    assert f"\n- without a lock: {images}, which cannot be built yet\n" in (ci / github.SUMMARY).read_text()
+    report.plan_to_ci(make_plan(run.state, 4), lacking, "")
+    summary = (ci / github.SUMMARY).read_text()
+    assert f"\n- {line}\n" in summary
+    head, _, names = summary.partition("left out: `lock missing: locks/cu1/amd64/3.12/torch.txt`\n")
+    unlocked = [image.target for image in lacking.images if not image.locked]
+    assert len(unlocked) > 1 and all(f"`{target}`" in names for target in unlocked) and "left out" not in head + names
     (ci / github.SUMMARY).unlink()
     report.show(registry.publish(lacking, broken={"omega-core"}), as_json=False)
     for text, mark in ((capsys.readouterr().out, ""), ((ci / github.SUMMARY).read_text(), "- ")):
@@ -145,6 +149,24 @@ def test_what_lacks_a_lock_has_a_line_of_its_own(
         waits = [line for line in text.splitlines() if line.startswith(f"{mark}waits: ") and "lock" in line]
         parts = sum(bool(part.unlocked) for part in lacking.parts)
         assert waits == [f"{mark}waits: {int(images.split()[0]) + parts} without a lock"]
+
+
+@pytest.mark.parametrize("is_damaged", [False, True])
+def test_a_night_fails_for_a_damaged_lock_and_not_for_a_missing_one(
+    is_damaged: bool, registry: Publisher, image_set: ImageSet, project: Path
+) -> None:
+    lock = "locks/cu1/amd64/3.12/torch.txt"
+    (project / lock).unlink()
+    lacking = locked.with_locks(image_set, image_set.locks - {lock}, {lock} if is_damaged else ())
+    run = registry.publish(lacking)
+    assert run.failed is is_damaged
+    unlocked = {image.target for image in lacking.images if not image.locked}
+    assert {outcome.target for outcome in run.outcomes if outcome.state == "failed"} == (
+        unlocked if is_damaged else set()
+    )
+    states = {image.target: image.state for image in status.read(run.state, DAY)}
+    assert {states[target] for target in unlocked} == {"failed" if is_damaged else "lock missing"}
+    assert states["omega-core-torch-cu1"] == "published"
 
 
 def test_what_is_only_to_be_tested_has_a_machine(registry: Publisher, image_set: ImageSet, project: Path) -> None:

@@ -81,7 +81,7 @@ class _Promotion:
         if not reason and entry and entry.held:
             reason = f"its tags were moved back on {entry.held[:10]}; a change, or --force, rebuilds it"
         if reason:
-            self.run.add("promote", thing, "waits", reason)
+            self.run.add("promote", thing, "failed" if self.state.damage(thing) else "waits", reason)
         return not reason
 
     def _prepare(self, thing: Thing, tags: Tags) -> list[Move]:
