@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from datetime import UTC, datetime, timedelta
+from datetime import UTC, date, datetime, timedelta
 
 from rosml.base.errors import RosmlError
 
@@ -40,3 +40,13 @@ def require_not_ahead(date: str, clock: str) -> None:
 def now() -> str:
     """The time now, as a run's date: `2026-11-22T03:00:00Z`."""
     return datetime.now(UTC).strftime(TIME)
+
+
+def today() -> date:
+    """The day now, in UTC, as publishing runs count it."""
+    return day_of(now())
+
+
+def day_of(date_of_run: str) -> date:
+    """The day of a run's date."""
+    return datetime.strptime(date_of_run, TIME).date()

@@ -136,6 +136,7 @@ class Call:
     serve: tuple[str, ...] = ()
     force: bool = False
     all_tests: bool = False
+    even_ended: bool = False  # also images of distributions past their end of life
     plan_file: Path | None = None
     shard: str = ""
     date: str = ""
@@ -196,6 +197,7 @@ class Call:
             plan.package_state if plan else {},
             whole=reading,
             all_tests=self.all_tests,
+            even_ended=self.even_ended,
             elsewhere=self._parts_of_other_shards(plan),
         )
         state = survey(request)

@@ -107,11 +107,13 @@ class _Plan:
 
 
 def _plan(options: _Options) -> _Plan:
+    from rosml.base import clock
     from rosml.images.builds.base_images import native_architecture
     from rosml.images.builds.maker import require_buildable
     from rosml.images.image_set import apt_repository, explain, selection
+    from rosml.images.matrix import support
 
-    call = Call(matrix=options.matrix, force=options.force, all_tests=options.all_tests)
+    call = Call(matrix=options.matrix, force=options.force, all_tests=options.all_tests, even_ended=True)
     image_set = call.image_set
     native = native_architecture()
     architecture = selection.architecture_of(image_set, options.platform) if options.platform else native
@@ -119,6 +121,8 @@ def _plan(options: _Options) -> _Plan:
     if image:
         require_buildable(image, architecture)
         apt_repository.of(image_set.matrix, image.distribution)
+        for line in support.ends(image_set.matrix, [image.distribution], clock.today()):
+            say(line)
     if options.on and (image is None or image.stack):
         text = "--on installs the ROS of one target" + (f", and {options.target} has a framework" if image else "")
         raise RosmlError(text, "name a ROS image, such as jazzy-base; 'rosml join' adds parts", exit_code=2)

@@ -27,8 +27,10 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
       rosml list ros1-trixie tensorflow --json
       rosml list ubuntu 24.04 rtx 4090
     """
+    from rosml.base import clock
     from rosml.cli.images import tables
     from rosml.images.image_set import load, search, selection
+    from rosml.images.matrix import support
 
     image_set = load.load(matrix, ROOT)
     images = search.search(image_set, groups)
@@ -43,6 +45,8 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     elif images:
         tagged_images = [image for image in images if image.tags]
         tables.print_images(tagged_images or images)
+        for line in support.ends(image_set.matrix, (image.distribution for image in images), clock.today()):
+            terminal.say(line, "yellow")
         if tests := [image for image in images if not image.tags]:
             addons = list(dict.fromkeys(addon for image in tests for addon in image.addons))
             more = f"{counted(len(tests), 'more image')} without a tag test"

@@ -24,8 +24,8 @@ from rosml.cli.images.call import Call, sharing
     "--markdown", type=click.Path(path_type=Path, dir_okay=False), help="also write a summary into this file, by cause"
 )
 def main(markdown: Path | None, **options: Any) -> None:
-    """Shows the state of every image, and why: published, outdated, failed, missing, lock missing, or waiting
-    for a builder.
+    """Shows the state of every image, and why: published, outdated, failed, missing, lock missing, waiting
+    for a builder, or ended.
 
     Below the table, it counts for each cause the images that this cause keeps from being published. In CI, the summary
     of the job has the same.

@@ -182,7 +182,7 @@ class _Search:
     def _main(self, name: str) -> Source:
         """The main part of an add-on: the last of its own parts, or one of its name if rosml does not have it."""
         stack, python = self.base.labels.get(_STACK, ""), f"py{self.base.labels[_PYTHON].replace('.', '')}"
-        matrix = _matrix()
+        matrix = rosml_matrix()
         choice = image_addons.read(matrix, name)
         part = name
         if choice.addon:
@@ -212,7 +212,7 @@ class _Search:
 
     def _require_system(self, choice: image_addons.Wanted) -> None:
         """Checks that an add-on works on the base image's operating system: a part for any Python does not say that."""
-        matrix, onto = _matrix(), self._onto()
+        matrix, onto = rosml_matrix(), self._onto()
         stack = choice.stack or onto.stack
         if onto.exists_in(matrix) and (
             reason := combinations.system_reason(matrix, onto.distribution, stack, choice.addon)
@@ -222,7 +222,7 @@ class _Search:
 
     def _missing(self, name: str, text: str) -> RosmlError:
         """The error about a part that is not there: a rule forbids it, or nobody has published it there."""
-        matrix, onto = _matrix(), self._onto()
+        matrix, onto = rosml_matrix(), self._onto()
         choice = image_addons.read(matrix, name)
         if refused := image_addons.refused(matrix, onto, name):
             if choice.addon:
@@ -250,7 +250,7 @@ class _Search:
         tests = (image for image in without_locks(MATRIX).images if image.addons == (addon,))
         target = next((image.target for image in tests if {*parts} <= {*image.parts}), self._onto().distribution)
         platforms = self.transfer.platforms(_in_full(self.base))
-        architectures = _matrix().architectures.items()
+        architectures = rosml_matrix().architectures.items()
         served = [f"--serve {name}" for name, facts in architectures if facts.platform in platforms]
         return " ".join(["rosml publish all --registry", place, "--only", target, *served])
 
@@ -266,6 +266,6 @@ def _of_its_name(part: Source) -> Source:
 
 
 @cache
-def _matrix() -> Matrix:
+def rosml_matrix() -> Matrix:
     """The matrix of this rosml, or of its set. It is read once: a fleet asks for every app."""
     return validate(extends.read(MATRIX))

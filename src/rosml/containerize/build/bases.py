@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
+from rosml.base import clock
 from rosml.base.errors import RosmlError
 from rosml.containerize import lock
 from rosml.containerize.base_image import addons
@@ -11,6 +14,8 @@ from rosml.containerize.build import adopt
 from rosml.containerize.build.call import Call
 from rosml.containerize.lock import Lock
 from rosml.containerize.names import SLIM
+from rosml.images.image_set.labels import PREFIX
+from rosml.images.matrix import support
 
 
 def read_lock(call: Call) -> Lock | None:
@@ -24,11 +29,20 @@ def find(call: Call, followed_lock: Lock | None) -> Base:
     base = app_base.find(name, call.services, call.names.platforms, digest)
     say(f"base image {base.name}")
     base = adopt.with_ros(base, call.services, call.values, call.names.platforms, say)
+    for line in _ends(base):
+        say(line)
     if followed_lock:
         say(f"{call.lock_file} says which versions")
         if missing := followed_lock.lacks(call.names.platforms):
             say(f"it has no packages for {', '.join(missing)}: they are the newest; {lock.RENEW}")
     return base
+
+
+def _ends(base: Base) -> Iterator[str]:
+    """Says that the ROS of a base image is past its end of life. Its label may name a distribution that rosml does not have."""
+    name = base.adopted.image.distribution if base.adopted else base.labels.get(f"{PREFIX}distribution")
+    if name and name in (matrix := addons.rosml_matrix()).distributions:
+        yield from support.ends(matrix, [name], clock.today())
 
 
 def find_slim(call: Call, base: Base, followed_lock: Lock | None) -> Base | None:

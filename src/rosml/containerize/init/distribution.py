@@ -10,6 +10,7 @@ from rosml.base.problems import listed, unknown
 from rosml.containerize.init import framework, synonyms
 from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, settle
 from rosml.containerize.packages.manifest import Package
+from rosml.images.matrix import support
 
 DEBIAN = "noetic"
 """The distribution whose name conditions in package.xml compare with if ROS 1 is Debian's own (docs/containerize.md, rosdep)."""
@@ -41,8 +42,7 @@ def notes(situation: Situation, name: str) -> Iterator[Note]:
 
 
 def has_ended(situation: Situation, name: str) -> bool:
-    eol = situation.matrix.distributions[name].eol
-    return eol is not None and eol < situation.surroundings.today
+    return support.has_ended(situation.matrix, name, situation.surroundings.today)
 
 
 def _fits(situation: Situation, name: str, packages: Collection[Package]) -> bool:

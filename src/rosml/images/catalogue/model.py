@@ -47,6 +47,7 @@ class Distribution(Fact):
     os: str = Field(description="its operating system")
     python: str = Field(description="version of that one's Python")
     eol: str | None = Field(description="end of life, such as 2029-05-31; null for a rolling distribution")
+    instead: tuple[str, ...] = Field(description="distributions to take instead, after its end of life; else empty")
     lts: bool = Field(description="a long-term release")
     experimental: bool = Field(description="not what its generation's users expect")
 

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
+from rosml.base import clock
 from rosml.images.catalogue.indexes import History, Reader, Thing
 from rosml.images.catalogue.layers import LayerTable
 from rosml.images.catalogue.model import (
@@ -27,7 +28,7 @@ from rosml.images.image_set import addons, search
 from rosml.images.image_set import model as sets
 from rosml.images.image_set.model import repository_of, tags_of
 from rosml.images.image_set.selection import select
-from rosml.images.matrix import combinations
+from rosml.images.matrix import combinations, support
 from rosml.images.matrix.names import our_words
 from rosml.images.matrix.tags import DATED
 from rosml.registry.place import Place
@@ -67,7 +68,9 @@ class Gatherer:
             registry=str(self.place),
             source=matrix.source,
             addons={name: self._addon(name) for name in matrix.addons},
-            distributions={name: self._distribution(name) for name in dict.fromkeys(i.distribution for i in images)},
+            distributions={
+                name: self._distribution(name, created) for name in dict.fromkeys(i.distribution for i in images)
+            },
             words=WORDS,
             images=requested,
             parts=tuple(_part(part, histories[part.target], table) for part in parts),
@@ -98,13 +101,15 @@ class Gatherer:
             restricted=any(entry.restricted for entry in entries),
         )
 
-    def _distribution(self, name: str) -> Distribution:
-        facts = self.image_set.matrix.distributions[name]
+    def _distribution(self, name: str, created: str) -> Distribution:
+        matrix, day = self.image_set.matrix, clock.day_of(created)
+        facts = matrix.distributions[name]
         return Distribution(
             ros=facts.ros,
             os=facts.os,
-            python=self.image_set.matrix.operating_systems[facts.os].python,
+            python=matrix.operating_systems[facts.os].python,
             eol=str(facts.eol) if facts.eol else None,
+            instead=support.instead(matrix, name, day) if support.has_ended(matrix, name, day) else (),
             lts=facts.lts,
             experimental=facts.experimental,
         )

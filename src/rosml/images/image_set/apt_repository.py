@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import date
 
+from rosml.base import clock
 from rosml.base.errors import RosmlError
-from rosml.images.matrix import combinations
+from rosml.images.matrix import combinations, support
 from rosml.images.matrix.model import Matrix
 
 CHANNELS = ("live", "testing", "snapshot", "final")
@@ -48,11 +49,11 @@ def of(matrix: Matrix, name: str, environ: Mapping[str, str] = os.environ) -> Ap
         if not _is_day(day):
             text = f"no day {day!r} of a snapshot" if day else "a snapshot is of a day"
             raise RosmlError(text, "name one, such as SNAPSHOT=2026-08-07", exit_code=2)
-        if day > date.today().isoformat():
+        if day > clock.today().isoformat():
             raise RosmlError(f"{day} is still to come", "name a day that has passed", exit_code=2)
     elif day:
         raise RosmlError(f"the channel {channel} has no days", "add CHANNEL=snapshot", exit_code=2)
-    if channel == "final" and (distribution.eol is None or distribution.eol > date.today()):
+    if channel == support.FINAL and not support.has_ended(matrix, name, clock.today()):
         text = f"{name} gets updates until {distribution.eol or 'further notice'}: it has no final snapshot yet"
         raise RosmlError(text, "take CHANNEL=snapshot and a day", exit_code=2)
     codename = matrix.operating_systems[distribution.os].codename or ""

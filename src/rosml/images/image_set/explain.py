@@ -9,11 +9,12 @@ from dataclasses import dataclass
 from itertools import product
 from typing import Any
 
+from rosml.base import clock
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some, unknown
 from rosml.images.image_set import addons, apt_repository, missing_locks, search
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix import combinations, names
+from rosml.images.matrix import combinations, names, support
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
 from rosml.images.matrix.tags import FLOATING, main_tag
 
@@ -358,6 +359,7 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
     system, distribution = matrix.operating_systems[image.os], matrix.distributions[image.distribution]
     yield f"{image.distribution} (ROS {image.ros}) has the component {image.component} and stands on {image.os}"
     yield f"{image.os} has Python {image.python} and numpy{system.numpy}, and is built for {listed(system.architectures)}"
+    yield from support.ends(matrix, [image.distribution], clock.today())
     if distribution.experimental:
         # The page is about ROS 2 from wheels.
         page = "docs/limits.md says what it has, and " if distribution.wheels else ""

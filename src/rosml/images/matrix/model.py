@@ -365,7 +365,9 @@ class Distribution(Facts):
     default_stack: Stacks = Field(
         description="stack of the short tags, such as ros-torch:jazzy; of several the first that a framework exists on"
     )
-    eol: datetime.date | None = Field(default=None, description="end of life; leave out for a rolling distribution")
+    eol: datetime.date | None = Field(
+        default=None, description="end of life: the last day with support; leave out for a rolling distribution"
+    )
     lts: bool = Field(
         default=False, description="a long-term release of ROS: the newest one that has every framework gets `latest`"
     )

@@ -18,6 +18,9 @@ ABSENT = "the archive has no"
 UNDESCRIBED = "it has no facts for apps that change their base"
 """If this is the only reason, an image or a part is described again and not built."""
 
+ENDED = "ended"
+"""How the reason begins if the tags of an image stay where they are, because its distribution is past its end of life."""
+
 WAITING = "waiting for a builder"
 ELSEWHERE = f"{WAITING} of its architecture"
 

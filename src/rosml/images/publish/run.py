@@ -20,7 +20,7 @@ from rosml.images.builds.maker import Maker
 from rosml.images.image_set.model import Image, Part
 from rosml.images.publish import provenance
 from rosml.images.publish.cosign import Signer
-from rosml.images.publish.items import ELSEWHERE, Item, Key
+from rosml.images.publish.items import ELSEWHERE, ENDED, Item, Key
 from rosml.images.publish.state import State
 from rosml.images.records.store import INDEX, Entry, Records
 from rosml.machine import buildx
@@ -131,8 +131,8 @@ class Run:
 
     def _reason_to_wait(self, step: str, steps: Sequence[str], hindered: str) -> str:
         """Why an item waits, and people are told so; empty if it is ready, or nothing is to be done here."""
-        if hindered:
-            return "" if hindered == ELSEWHERE else hindered
+        if hindered:  # that a distribution has ended is said once for each image, when its tags would move
+            return "" if hindered == ELSEWHERE or hindered.startswith(ENDED) else hindered
         if step not in steps:
             return ""
         if step != steps[0]:

@@ -16,7 +16,7 @@ from rosml.images.builds import base_images, contents, package_state
 from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.matrix.sizes import Size
-from rosml.images.publish.items import ABSENT, ELSEWHERE, UNDESCRIBED, WAITING, Item, Key, Step, Task, ros_images
+from rosml.images.publish.items import ABSENT, ELSEWHERE, ENDED, UNDESCRIBED, WAITING, Item, Key, Step, Task, ros_images
 from rosml.images.publish.shared_tests import SharedTests
 from rosml.images.records.store import INDEX, Entry, Records
 from rosml.machine.services import Services
@@ -41,6 +41,7 @@ class Request:
     package_state: Mapping[str, str] = field(default_factory=dict)
     whole: bool = False  # judge the ROS images and parts below images on all of their architectures
     inputs: Inputs | None = None  # inputs of the image set's targets, if they were read before
+    even_ended: bool = False  # also images of distributions past their end of life; else their tags stay where they are
     all_tests: bool = False  # the requested images run all tests, also those that passed in others with the same parts
     # Names of parts that other machines of the run build, and that are built here only if they are missing at the end.
     elsewhere: frozenset[str] | None = None  # None if there are no other machines
@@ -59,6 +60,7 @@ class State:
     package_state: dict[str, str] = field(default_factory=dict)  # of each distribution whose repositories answered
     # Packages that the archive of a distribution lacks, by distribution and architecture.
     unpublished: dict[Key, frozenset[str]] = field(default_factory=dict)
+    closed: frozenset[str] = frozenset()  # distributions past their end of life, whose tags stay where they are
     remarks: list[str] = field(default_factory=list)  # for people, such as a repository that does not answer
     forced: set[Key] = field(default_factory=set)  # items that a run with `force` rebuilt already
 
@@ -86,7 +88,7 @@ class State:
         joined: dict[Key, Item] = {}
         for image in self.images:
             chain = ros_images(self.image_set, image)
-            image_parts = [self.image_set.part_by_name[name] for name in image.parts]
+            image_parts = [] if self.end(image) else [self.image_set.part_by_name[name] for name in image.parts]
             for architecture in self.image_set.matrix.architectures if self.request.whole else image.architectures:
                 for link in chain:
                     if architecture in link.architectures:
@@ -221,6 +223,8 @@ class State:
     def hindrance(self, item: Item) -> str:
         """Why an item cannot be built on this machine; empty if it can."""
         image_or_part = item.thing
+        if reason := self.end(image_or_part):
+            return reason
         if reason := missing_locks.hindrance(image_or_part, item.architecture):
             return reason
         if item.kind == "joined":  # any machine can join in the registry
@@ -236,9 +240,17 @@ class State:
         absent = base_images.missing(self.request.services, systems, image_or_part.os)
         return f"{WAITING}: {absent}" if absent else ""
 
+    def end(self, thing: Image | Part) -> str:
+        """Why the tags of an image stay where they are for good; empty if they do not."""
+        if not isinstance(thing, Image) or thing.distribution not in self.closed:
+            return ""
+        return f"{ENDED}: {thing.distribution} had its end of life on {self.image_set.matrix.distributions[thing.distribution].eol}"
+
     def damage(self, thing: Image | Part) -> str:
         """Which locks of an image are there and unusable: somebody has to correct them. Empty if none is."""
-        return missing_locks.damage(thing, [name for _, name in self.members(thing)]) if isinstance(thing, Image) else ""
+        return (
+            missing_locks.damage(thing, [name for _, name in self.members(thing)]) if isinstance(thing, Image) else ""
+        )
 
     def _hindrance_below(self, key: Key) -> str:
         """Why an item, or something below it, cannot be built here."""
@@ -263,7 +275,7 @@ class State:
 
     def unready(self, thing: Image | Part) -> str:
         """Why the index of an image or part cannot be made; empty if it can."""
-        if reason := self.damage(thing):
+        if reason := self.end(thing) or self.damage(thing):
             return reason
         keys = self.members(thing)
         if not keys:

@@ -14,7 +14,7 @@ from rosml.base.clock import TIME, is_ahead, is_date
 from rosml.images.image_set import missing_locks
 from rosml.images.image_set.missing_locks import UNLOCKED
 from rosml.images.image_set.model import Image, Part, repository_of, tags_of
-from rosml.images.publish.items import ELSEWHERE, WAITING, Item, Key
+from rosml.images.publish.items import ELSEWHERE, ENDED, WAITING, Item, Key
 from rosml.images.publish.state import State
 from rosml.images.records.store import Entry, date_of
 
@@ -25,6 +25,7 @@ STATES = {
     "missing": "default",
     UNLOCKED: "dim",
     WAITING: "dim",
+    ENDED: "dim",
 }
 """Every state, with its colour.
 
@@ -33,7 +34,8 @@ outdated: the tag points at something older.
 failed: the last build, join, test or index failed, or a lock is there and cannot be used.
 missing: the image is not published yet.
 lock missing: the image cannot be built without the lock.
-waiting for a builder: this machine cannot build the image."""
+waiting for a builder: this machine cannot build the image.
+ended: the distribution is past its end of life, and the image's tags stay where they are."""
 
 
 @dataclass(frozen=True)
@@ -77,6 +79,8 @@ def read(state: State, now: str) -> Iterator[ImageStatus]:
 
 def _state(state: State, thing: Image | Part, tagged: str) -> tuple[str, str]:
     """The state of an image whose main tag points at a digest, and why."""
+    if end := state.end(thing):
+        return ENDED, end.removeprefix(f"{ENDED}: ")
     members = state.members(thing)
     index = state.index_of(thing)
     entries = [entry for key in members if (entry := state.entries.get(key))]
@@ -162,7 +166,11 @@ def ahead(state: State) -> dict[str, int]:
     serve = state.request.serve
     counts: Counter[str] = Counter()
     for item in state.items:
-        if missing_locks.on(item.thing, item.architecture) or (serve and item.architecture not in serve):
+        if (
+            state.end(item.thing)
+            or missing_locks.on(item.thing, item.architecture)
+            or (serve and item.architecture not in serve)
+        ):
             continue
         outdated = bool(state.reasons(item))
         counts[item.making] += outdated

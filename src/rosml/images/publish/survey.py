@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 
+from rosml.base import clock
 from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.images.bake.inputs import Inputs
 from rosml.images.builds import base_images, package_state
 from rosml.images.image_set.model import Image
 from rosml.images.image_set.selection import require_architectures, select
+from rosml.images.matrix import support
 from rosml.images.publish.items import Key
 from rosml.images.publish.state import Request, State
 from rosml.images.records.store import INDEX, Entry
@@ -31,6 +33,7 @@ def survey(request: Request) -> State:
         request.architectures or (base_images.native_architecture(),),
         package_state=dict(request.package_state),
     )
+    _close_ended(state)
     state.inputs.check([item.thing for item in state.items] if request.only else None)
     state.entries.update(state.records.read_all(_keys(state)))
     state.present |= present(request.place, state.entries.values())
@@ -43,6 +46,20 @@ def survey(request: Request) -> State:
     silent = [(key[0], error) for key, error in unpublished.items() if isinstance(error, RosmlError)]
     state.remarks += [f"{name}: {error.message}; {error.remedy}" for name, error in silent]
     return state
+
+
+def _close_ended(state: State) -> None:
+    """Closes the distributions that are past their end of life on the day of the run."""
+    if state.request.even_ended or not state.date:
+        return
+    matrix, day = state.image_set.matrix, clock.day_of(state.date)
+    names = dict.fromkeys(image.distribution for image in state.images)
+    closed = [name for name in names if support.is_closed(matrix, name, day)]
+    state.closed = frozenset(closed)
+    state.remarks += [
+        f"{support.end(matrix, name, day)}. Its tags stay where they are; {support.how_to_open(matrix, name)}"
+        for name in closed
+    ]
 
 
 def present(place: Place, entries: Iterable[Entry]) -> set[Key]:

@@ -172,6 +172,14 @@ def test_ros_is_installed_on_a_base_that_has_none(robot: Robot, monkeypatch: pyt
     assert "it has no versions of the ROS that was installed" in robot.messages[-1]
 
 
+@pytest.mark.parametrize(("distribution", "count"), [("foxy", 1), ("jazzy", 0), ("nowhere", 0)])
+def test_a_base_image_past_its_end_of_life_is_named(distribution: str, count: int, robot: Robot) -> None:
+    robot.put(config={"Env": ["ROS_DISTRO=foxy"], "Labels": {"io.rosml.distribution": distribution}})
+    robot.build()
+    lines = robot.messages_with("had its end of life on")
+    assert len(lines) == count and all(line.startswith("foxy had") and "take lyrical" in line for line in lines)
+
+
 def test_a_base_without_ros_stays_without_if_somebody_says_so(robot: Robot) -> None:
     robot.put("rosml/plain:1", config={"Env": []})
     inputs = {"base_image": "plain:1", "disable_ros_installation": "true"}

@@ -152,6 +152,12 @@ def test_history(catalogue: Published) -> None:
     assert [build.platforms[0].ros_sync for build in item.builds] == ["lists-2", "lists-2", "lists-1"]
 
 
+def test_a_distribution_names_what_to_take_after_its_end_of_life(shelf: Shelf) -> None:
+    gatherer = Gatherer(shelf.image_set, Place(shelf.registry, PREFIX))
+    for day, others in (("2028-06-30", ()), ("2028-07-01", ("ros1-trixie",))):
+        assert gatherer.gather(f"{day}T06:00:00Z", [TORCH]).distributions["ros1-bookworm"].instead == others
+
+
 def test_whatever_a_tag_points_at_is_described(real: ImageSet) -> None:
     """Twelve nights leave twelve dated tags, more than the limit for what has none; of parts as well."""
     shelf = Shelf(real)

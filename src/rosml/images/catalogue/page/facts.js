@@ -211,9 +211,9 @@
 
   /** Words for the end of life of an image's distribution, and whether it is over, or soon. */
   function endOfLife(image) {
-    const { eol } = catalogue.distributions[image.distribution];
+    const { eol, instead } = catalogue.distributions[image.distribution];
     const left = eol ? (Date.parse(eol) - Date.parse(catalogue.created.slice(0, 10))) / 86_400_000 : Infinity;
-    return { text: eol || "none: rolling", over: left < 0, soon: left >= 0 && left < SOON };
+    return { text: eol || "none: rolling", over: left < 0, soon: left >= 0 && left < SOON, instead };
   }
 
   /** What one has to know before one takes an image: {text, kind}. */

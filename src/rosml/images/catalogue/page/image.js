@@ -407,6 +407,7 @@
       r.fact(
         "End of life",
         el("span", { class: end.over ? "bad" : null }, end.text + (end.over ? " (over)" : "")),
+        end.over && end.instead.length ? el("p", { class: "sub" }, `take ${end.instead.join(" or ")}`) : null,
         facts.experimental ? el("p", { class: "sub" }, "experimental") : null,
       ),
       image.gpu.driver ? r.fact("GPU", `NVIDIA driver ${image.gpu.driver} or newer`, builtFor(image)) : null,
