@@ -77,6 +77,8 @@ class Load:
 def scaled(images: int, stacks: int) -> ImageSet:
     """The project's image set with copies of stacks, then of distributions, and so many of its images."""
     document = source.read(ROOT / "matrix.yaml")
+    for architecture in document.data["architectures"].values():
+        architecture.pop("runner_disk")  # the load says how many machines there are, however small their disks
     real = list(document.data["stacks"])
     for number in range(stacks - len(real)):
         name = real[number % len(real)]

@@ -198,7 +198,7 @@ class Call:
             whole=reading,
             all_tests=self.all_tests,
             even_ended=self.even_ended,
-            elsewhere=self._parts_of_other_shards(plan),
+            elsewhere=self._of_other_shards(plan),
         )
         state = survey(request)
         for remark in state.remarks:
@@ -220,9 +220,9 @@ class Call:
         self.serve, self.force = self.serve or plan.serve, self.force or plan.force
         return plan
 
-    def _parts_of_other_shards(self, plan: Plan | None) -> frozenset[str] | None:
+    def _of_other_shards(self, plan: Plan | None) -> frozenset[str] | None:
         shards = plan.shards if plan else ()
-        return next((frozenset(shard.elsewhere) for shard in shards if shard.name == self.shard), None)
+        return next((frozenset((*it.elsewhere, *it.ros_elsewhere)) for it in shards if it.name == self.shard), None)
 
     def _policy_digest(self, date: str) -> str:
         from rosml.images.publish.steps.scan import policy_digest

@@ -9,6 +9,7 @@ import click
 
 from rosml.base import terminal
 from rosml.cli.checkout import Command
+from rosml.cli.command import say
 from rosml.cli.images.call import Call, sharing
 
 
@@ -24,7 +25,7 @@ from rosml.cli.images.call import Call, sharing
     type=click.IntRange(min=1),
     default=8,
     show_default=True,
-    help="deal builds to at most this many machines",
+    help="deal builds to at most this many machines, or to more if their disks are too small (runner_disk in matrix.yaml)",
 )
 @click.option("--why", is_flag=True, help="name the inputs that changed")
 @click.option(
@@ -54,6 +55,8 @@ def main(everywhere: bool, shards: int, why: bool, output: Path | None, **option
     state = call.survey()
     # A plan for this machine alone needs no machines in CI, and no runner in the matrix.
     plan = make_plan(state, shards, why) if everywhere or output or call.as_json else None
+    for remark in plan.remarks[len(state.remarks) :] if plan else ():
+        say(remark)
     if output and plan:
         files.write(output, plan.text())
         report.plan_to_ci(plan, state.image_set, report.cost(state, plan.shards))

@@ -31,6 +31,7 @@ from rosml.images.matrix.patterns import (
     Generations,
     Glibc,
     KeyFile,
+    Megabytes,
     Name,
     Names,
     OsName,
@@ -83,6 +84,7 @@ class Architecture(Facts):
     runner: Word | None = Field(
         default=None, description="label of the machines that build for it in CI; a build plan needs it"
     )
+    runner_disk: Megabytes | None = Field(default=None, description="MB of disk of these machines: a plan keeps to it")
 
 
 class AptSource(Facts):
@@ -365,9 +367,7 @@ class Distribution(Facts):
     default_stack: Stacks = Field(
         description="stack of the short tags, such as ros-torch:jazzy; of several the first that a framework exists on"
     )
-    eol: datetime.date | None = Field(
-        default=None, description="end of life: the last day with support; leave out for a rolling distribution"
-    )
+    eol: datetime.date | None = Field(default=None, description="last day of support; leave out if it is rolling")
     lts: bool = Field(
         default=False, description="a long-term release of ROS: the newest one that has every framework gets `latest`"
     )

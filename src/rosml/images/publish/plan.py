@@ -15,7 +15,7 @@ from rosml.base.problems import first_of, unknown
 from rosml.images.image_set.model import PARTS, ImageSet
 from rosml.images.image_set.selection import select
 from rosml.images.publish.items import Kind, Step, Task
-from rosml.images.publish.shards import Fact, Names, Shard, Work, deal
+from rosml.images.publish.shards import Fact, Names, Shard, Work, deal, too_large
 from rosml.images.publish.state import State
 from rosml.images.records.store import REPOSITORY
 
@@ -69,6 +69,7 @@ def make_plan(state: State, shards: int, why: bool = False) -> Plan:
     """Plans a run for at most so many machines. With `why`, it reads from the records which inputs changed."""
     tasks = state.tasks()
     to_do = [task for task in tasks if task.steps or task.hindered]
+    dealt = deal(state.forecast, shards, _work(state, tasks))
     return Plan(
         version=1,
         date=state.date,
@@ -78,10 +79,10 @@ def make_plan(state: State, shards: int, why: bool = False) -> Plan:
         force=state.request.force,
         package_state=state.package_state,
         targets=tuple(image.target for image in state.images),
-        shards=deal(state.forecast, shards, _work(state, tasks)),
+        shards=dealt,
         tasks=tuple(_planned(state, task, why) for task in to_do),
         unchanged=len(tasks) - len(to_do),
-        remarks=tuple(state.remarks),
+        remarks=(*state.remarks, *too_large(state.forecast, dealt)),
     )
 
 

@@ -43,7 +43,7 @@ class Request:
     inputs: Inputs | None = None  # inputs of the image set's targets, if they were read before
     even_ended: bool = False  # also images of distributions past their end of life; else their tags stay where they are
     all_tests: bool = False  # the requested images run all tests, also those that passed in others with the same parts
-    # Names of parts that other machines of the run build, and that are built here only if they are missing at the end.
+    # Names of parts, and targets of ROS images, that other machines of the run build. They are built here only if they are missing at the end.
     elsewhere: frozenset[str] | None = None  # None if there are no other machines
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 from typing import Any
 
 import pytest
@@ -102,7 +103,12 @@ def test_distributions_that_share_come_together() -> None:
 def test_every_plan(big: ImageSet, number: int) -> None:
     shards = deal(big, number)
     assert len(shards) == min(number, 20)
-    expected = {(image.target, architecture) for image in big.images for architecture in image.architectures}
+    require_whole(big, shards)
+
+
+def require_whole(image_set: ImageSet, shards: Sequence[dealing.Shard]) -> None:
+    """Every image is built once, after what it stands on, and so is every part; the longest shards of an architecture come first."""
+    expected = {(image.target, architecture) for image in image_set.images for architecture in image.architectures}
     built = [(target, shard.architecture) for shard in shards for target in shard.targets]
     assert len(built) == len(set(built)), "an image is built twice"
     assert set(built) == expected
@@ -112,7 +118,7 @@ def test_every_plan(big: ImageSet, number: int) -> None:
     for shard in shards:
         place = {target: index for index, target in enumerate(shard.targets)}
         for target in shard.targets:
-            image = big.by_target[target]
+            image = image_set.by_target[target]
             assert place.get(image.parent, -1) < place[target], "an image stands before what it stands on"
             assert set(image.parts) <= set(shard.parts)
     for architecture in ("amd64", "arm64"):
@@ -136,6 +142,33 @@ def test_work_grows_with_the_images_and_not_with_their_square() -> None:
     """Ten times the images; with their square it would be 100 times the work."""
     few, many = (parse(synthetic.matrix(images)) for images in (400, 4_000))
     assert calls(lambda: deal(many, 20)) < 12 * calls(lambda: deal(few, 20))
+
+
+# ---- Disk ------------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", [2, 24])
+def test_each_machine_has_enough_disk(number: int, real: ImageSet) -> None:
+    shards = deal(real, number)
+    limits = {name: facts.runner_disk for name, facts in real.matrix.architectures.items()}
+    assert all(limits.values()) and len(shards) >= number
+    require_whole(real, shards)
+    for shard in shards:
+        assert shard.estimates.disk_mb <= (limits[shard.architecture] or 0)
+        others = {name for it in shards if it.architecture == shard.architecture and it != shard for name in it.targets}
+        assert others.issuperset(shard.ros_elsewhere)
+    assert any(shard.ros_elsewhere for shard in shards), "one distribution is larger than a disk"
+    assert not [*dealing.too_large(real, shards)]
+
+
+def test_an_image_that_alone_is_larger_than_a_disk_is_named() -> None:
+    small = parse(changed("runner: amd}", "runner: amd, runner_disk: 10000}"))
+    shards = deal(small, 2)
+    large = [shard for shard in shards if shard.estimates.disk_mb > 10_000]
+    lines = [*dealing.too_large(small, shards)]
+    assert large and len(lines) == len(large)
+    assert "too little for alpha-core-ml-cu1 (12.7 GB)" in lines[0] and "alpha-core-torch-cu1" not in lines[0]
+    assert "runner_disk" in lines[0]
 
 
 # ---- What the matrix does not say ------------------------------------------------------------------------------------

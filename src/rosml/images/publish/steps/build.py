@@ -20,6 +20,14 @@ from rosml.images.records.store import Entry
 RESTARTS = 2
 """How often a run may restart a distribution after ROS publishes packages."""
 
+PATIENCE_SECONDS = 45 * 60.0
+"""How long a machine waits for ROS images that another one builds, which may have died."""
+
+LOOK_SECONDS = 30.0
+
+LAST = 2
+"""The place of what other machines build, in the order of work."""
+
 
 def build(run: Run) -> None:
     """Builds ROS images and parts.
@@ -29,6 +37,12 @@ def build(run: Run) -> None:
     items = sorted((item for item in run.state.items if item.kind != "joined"), key=partial(_order, run))
     if run.whole:
         _build_together(run, items)
+    _build_all(run, [item for item in items if _order(run, item) < LAST])
+    _wait_for_ros(run)
+    _build_all(run, [item for item in items if _order(run, item) == LAST])
+
+
+def _build_all(run: Run, items: Sequence[Item]) -> None:
     for restarts in range(RESTARTS, -1, -1):
         before = len(run.outcomes)
         if not run.each("build", items, partial(_build, run, restarts > 0)):
@@ -40,9 +54,30 @@ def build(run: Run) -> None:
 def _order(run: Run, item: Item) -> int:
     """If there are other machines, they wait for the parts that are built here, and this one for theirs."""
     elsewhere = run.state.request.elsewhere
-    if elsewhere is None or not isinstance(item.thing, Part):
+    if elsewhere is None:
         return 1
-    return 2 if item.thing.name in elsewhere else 0
+    if isinstance(item.thing, Part):
+        return LAST if item.thing.name in elsewhere else 0
+    return LAST if item.target in elsewhere else 1
+
+
+def _wait_for_ros(run: Run) -> None:
+    """Waits until another machine of the run has built and tested the ROS images that it has. Two machines that build the same image may
+    end with two digests, and images that were joined with the first one then get no tag."""
+    until = min(time.monotonic() + PATIENCE_SECONDS, run.deadline)
+    for item in run.state.items:
+        if item.kind == "ros" and _order(run, item) == LAST:
+            while time.monotonic() < until:
+                run.state.look_again(item)
+                if not _is_under_way(run, item):
+                    break
+                time.sleep(LOOK_SECONDS)
+
+
+def _is_under_way(run: Run, item: Item) -> bool:
+    entry = run.state.entries.get(item.key)
+    has_failed = entry is not None and bool(entry.failed) and entry.changed == run.state.date
+    return not has_failed and not {"build", "test"}.isdisjoint(run.state.task(item, ahead=False).steps)
 
 
 def _build_together(run: Run, items: Sequence[Item]) -> None:
