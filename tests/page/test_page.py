@@ -612,6 +612,7 @@ def test_badges_say_what_one_has_to_know_first(window: Windows) -> None:
         page.evaluate(f"location.hash = '#/image/{target}'")
         expect(page.locator("h1")).to_have_text(target)
         assert texts(page, ".badge") == badges
+        assert ("take ros1-trixie or ros1-bookworm" in texts(page, ".facts .sub")) is target.startswith("noetic")
         page.go_back()
         page.locator(".list").wait_for()
     page = window().open("#/image/jazzy-base-torch-cu130")
