@@ -574,7 +574,7 @@ def test_an_addon_is_found_though_no_tag_has_it(window: Windows, text: str, hint
         assert all("-onnx-" in target for target in listed(page)) and listed(page)
     if text == "nvcc":
         page.locator(".hints a").click()
-        assert page.locator("#addons").is_visible()
+        page.locator("#addons").wait_for()
 
 
 def test_a_page_without_packages_offers_none(page_of: PageOf, published: Published) -> None:

@@ -82,12 +82,12 @@ def test_a_proposal_can_be_built_where_another_one_cannot(tmp_path: Path, real: 
     ("files", "ros_distro", "name"),
     [
         ({".git/HEAD": "ref: refs/heads/humble-devel\n"}, "", "humble"),
-        ({".git/HEAD": "ref: refs/heads/feature/kilted_x\n"}, "", "kilted"),
+        ({".git/HEAD": "ref: refs/heads/feature/lyrical_x\n"}, "", "lyrical"),
         ({".git/HEAD": "ref: refs/heads/foxy\n"}, "", "jazzy"),
         ({".git/HEAD": "ref: refs/heads/humble\n"}, "rolling", "rolling"),
         ({".github/workflows/ci.yml": "container: ros:humble-ros-base\n"}, "", "humble"),
         ({".github/workflows/a.yml": "humble", ".github/workflows/b.yml": "jazzy kilted"}, "", "jazzy"),
-        ({"Dockerfile": "FROM osrf/ros:kilted-desktop\n"}, "", "kilted"),
+        ({"Dockerfile": "FROM osrf/ros:lyrical-desktop\n"}, "", "lyrical"),
         ({".env": "BASE_IMAGE=ros:rolling-core\n", ".git/HEAD": "ref: refs/heads/humble\n"}, "", "rolling"),
     ],
 )

@@ -51,7 +51,7 @@ KEY = "-----BEGIN PGP PUBLIC KEY BLOCK-----\n"
 
 def missing_of_colcon(tools: str) -> set[str]:
     """Packages that `rosml containerize` needs of colcon, and that are not among developers' tools."""
-    script = (ROOT / "components/containerize/install.sh").read_text()
+    script = (ROOT / "components/containerize/install_packages.sh").read_text()
     [names] = re.findall(r"for extension in (.*); do", script)
     if "python3-colcon-common-extensions" in tools.split():
         return set()
