@@ -193,7 +193,8 @@ def pinned_uv() -> str:
 def packages(uv: str, group: str) -> None:
     """Installs the Python packages of `tools/requirements-<group>.txt` into `.venv`, and removes others.
 
-    A larger group stays: otherwise a command would remove packages that running tests import.
+    A larger group stays: otherwise a command would remove packages that running tests import. The file `group` changes last: `rosml` starts
+    from the packages that it names as long as they are not older than their requirements, also while others come or if this is interrupted.
     """
     started, log = time.monotonic(), LOG / "packages.log"
     place = ".venv" if PLACE == ROOT else VENV
@@ -209,7 +210,6 @@ def packages(uv: str, group: str) -> None:
         run("Python packages", make, log, env, UNREACHED)
     group_file = VENV / "group"
     installed = group_file.read_text() if group_file.exists() else ""
-    group_file.unlink(missing_ok=True)  # if this is interrupted, it is done again
     group = max(group, installed if installed in GROUPS else group, key=GROUPS.index)
     # Only wheels: a build would fetch its own requirements, without hashes.
     sync = [uv, "pip", "sync", "--python", str(PYTHON), "--require-hashes", "--no-build"]

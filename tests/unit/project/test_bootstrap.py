@@ -191,6 +191,20 @@ def test_a_failure_of_uv_ends_it(ready: Bootstrap) -> None:
     assert f"    no index\n  whole log: {ready.root}/.state/log/packages.log" in done.stderr
 
 
+def test_packages_serve_other_calls_until_others_are_installed(ready: Bootstrap) -> None:
+    """Calls that share a .venv start as long as it has its file `group`."""
+    group = ready.root / ".venv/group"
+    group.write_text("dev")
+    seen = ready.root / "seen"
+    called = f"#!/bin/sh\n[ $1 = --version ] && echo uv 1.0 && exit\n{{ cat {group}; echo \" $2\"; }} >>{seen} 2>&1"
+    (ready.root / "mine/uv").write_text(f"{called}; exit 2\n")
+    assert ready("python").returncode == 1
+    assert group.read_text() == "dev", "a failure leaves them"
+    (ready.root / "mine/uv").write_text(f"{called}\n")
+    assert ready("suite").returncode == 0
+    assert (seen.read_text(), group.read_text()) == ("dev sync\ndev sync\n", "page")
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_interrupted(ready: Bootstrap, number: signal.Signals) -> None:
     (ready.root / "mine/uv").write_text(

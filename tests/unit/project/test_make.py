@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import stat
 import subprocess
 import tempfile
 from collections.abc import Iterator
@@ -140,7 +141,7 @@ class Shared:
         self.checkout.chmod(0o555)
         env = {"PATH": f"{self.checkout}/mine:{os.environ['PATH']}", "XDG_CACHE_HOME": str(self.cache), **environment}
         argv = [*become, str(self.checkout / "rosml"), *words]
-        done = subprocess.run(argv, cwd="/", env=env, capture_output=True, text=True, check=True)
+        done = subprocess.run(argv, cwd="/", env=env, capture_output=True, text=True, check=False)
         self.checkout.chmod(0o755)
         return done.stdout, done.stderr
 
@@ -174,6 +175,27 @@ def test_somebody_who_may_not_write_to_the_checkout_has_their_own_packages(share
     assert shared.call("run", "x", XDG_CACHE_HOME="relative", HOME=f"{shared.cache}/home")[0].startswith(
         f"{shared.cache}/home/.cache/rosml/"
     )
+
+
+def test_somebody_without_a_home_folder_has_a_private_one(shared: Shared) -> None:
+    """A folder in /tmp, as if the home folder were gone or read-only; TMPDIR is the test's own /tmp."""
+    nobody = {"XDG_CACHE_HOME": "", "HOME": "/proc/nonexistent", "TMPDIR": str(shared.cache)}
+    private = shared.cache / f"rosml-{65534 if os.geteuid() == 0 else os.geteuid()}"
+    called = f"{private}/checkout{shared.checkout}/.venv/bin/python {shared.checkout}/src run x\n"
+    assert shared.call("run", "x", **nobody) == (called, f"bootstrap in {private}/checkout{shared.checkout}\n")
+    assert shared.call("run", "x", **nobody) == (called, "")
+    assert stat.S_IMODE(private.stat().st_mode) == 0o700
+    refused = f"error: {private} is not a folder that only you may use\nremedy: name a folder with XDG_CACHE_HOME\n"
+    private.chmod(0o755)
+    assert shared.call("run", "x", **nobody) == ("", refused)
+    private.chmod(0o700)
+    private.rename(shared.cache / "elsewhere")
+    private.symlink_to("elsewhere")
+    assert shared.call("run", "x", **nobody) == ("", refused)
+    private.unlink()
+    if os.geteuid() == 0:
+        private.mkdir(mode=0o700)
+        assert shared.call("run", "x", **nobody) == ("", refused), "it belongs to somebody else"
 
 
 def test_somebody_who_may_not_write_to_the_checkout_takes_its_packages(shared: Shared) -> None:
