@@ -196,7 +196,7 @@ def test_packages_serve_other_calls_until_others_are_installed(ready: Bootstrap)
     group = ready.root / ".venv/group"
     group.write_text("dev")
     seen = ready.root / "seen"
-    called = f"#!/bin/sh\n[ $1 = --version ] && echo uv 1.0 && exit\n{{ cat {group}; echo \" $2\"; }} >>{seen} 2>&1"
+    called = f'#!/bin/sh\n[ $1 = --version ] && echo uv 1.0 && exit\n{{ cat {group}; echo " $2"; }} >>{seen} 2>&1'
     (ready.root / "mine/uv").write_text(f"{called}; exit 2\n")
     assert ready("python").returncode == 1
     assert group.read_text() == "dev", "a failure leaves them"
