@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 import shlex
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
@@ -11,7 +10,7 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
-from rosml import IN_CHECKOUT, MATRIX, ROOT
+from rosml import IN_CHECKOUT
 from rosml.base.errors import RosmlError
 from rosml.cli import command
 
@@ -138,22 +137,6 @@ def _is_checkout(folder: Path) -> bool:
 def own_command(folder: Path) -> str:
     """The remedy that names a checkout's own `rosml`."""
     return f"if you trust that checkout, call its own command: {shlex.quote(str(folder / 'rosml'))}"
-
-
-def call(folder: Path | None = None) -> str:
-    """This rosml as somebody calls it in a folder: `rosml` if it is on PATH, `./rosml` in the checkout or the set, else its path."""
-    if not IN_CHECKOUT:
-        return "rosml"
-    import shutil  # only needed here
-
-    home = MATRIX.parent if MATRIX.name == "set.yaml" else ROOT
-    script = home / "rosml"
-    with contextlib.suppress(OSError):  # the current folder may be gone
-        if (folder or Path.cwd()).samefile(home):
-            return "./rosml"
-        if (program := shutil.which("rosml")) and Path(program).samefile(script):
-            return "rosml"
-    return shlex.quote(str(script))
 
 
 def require() -> None:

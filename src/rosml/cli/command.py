@@ -7,6 +7,8 @@ import errno
 import io
 import json
 import os
+import re
+import shlex
 import signal
 import sys
 from collections.abc import Iterator, Sequence
@@ -15,12 +17,13 @@ from types import FrameType
 
 import click
 
-from rosml import IN_CHECKOUT
+from rosml import IN_CHECKOUT, MATRIX, ROOT
 from rosml.base import terminal
 from rosml.base.environment import program
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.base.terminal import obeying_no_color
+from rosml.cli.sections import MODULES
 
 INTERRUPTED_TEXT = "interrupted"
 
@@ -72,7 +75,9 @@ def run(
     except click.exceptions.Exit as error:  # --help, or a command's own answer
         return error.exit_code
     except click.ClickException as error:
-        error.show()
+        text = io.StringIO()
+        error.show(text)
+        terminal.echo(as_called(text.getvalue()), err=True, nl=False)
         return _print_json_error(as_json, error.format_message(), "see --help", failure or error.exit_code)
     except (KeyboardInterrupt, click.Abort):
         terminal.echo(f"\n{interrupted}", err=True)
@@ -114,6 +119,31 @@ def quiet() -> Iterator[None]:
             os.close(terminal_number)
 
 
+def call(folder: Path | None = None) -> str:
+    """This rosml as somebody calls it in a folder: `rosml` if it is on PATH, `./rosml` in the checkout or the set, else its path."""
+    if not IN_CHECKOUT:
+        return "rosml"
+    import shutil  # only needed here
+
+    home = MATRIX.parent if MATRIX.name == "set.yaml" else ROOT
+    script = home / "rosml"
+    with contextlib.suppress(OSError):  # the current folder may be gone
+        if (folder or Path.cwd()).samefile(home):
+            return "./rosml"
+        if (program := shutil.which("rosml")) and Path(program).samefile(script):
+            return "rosml"
+    return shlex.quote(str(script))
+
+
+_BEFORE = r"^|['`(]|[:;,|&] |\b(?:and|call|or|run|then|with) |\b[A-Z_]+=\w+ "
+_CALL = re.compile(rf"({_BEFORE})(?:\./)?rosml(?= (?:(?:{'|'.join(MODULES)}|--help)\b|\[OPTIONS\]))", re.MULTILINE)
+
+
+def as_called(text: str) -> str:
+    """A message whose calls of rosml begin as the user can call it here: `'rosml setup'` becomes `'./rosml setup'`."""
+    return _CALL.sub(lambda match: f"{match[1]}{call()}", text)
+
+
 def say(line: str) -> None:
     terminal.echo(click.style(f"==> {line}", bold=True), err=True)
 
@@ -133,7 +163,7 @@ def _shorten(text: str) -> str:
 
 
 def _say(head: str, message: str, remedy: str) -> None:
-    message, remedy = _shorten(message), _shorten(remedy)
+    message, remedy = as_called(_shorten(message)), as_called(_shorten(remedy))
     terminal.echo(head + message, err=True)
     if remedy:
         terminal.echo(f"{click.style('remedy:', bold=True)} {remedy}", err=True)
@@ -147,7 +177,8 @@ def _failed(as_json: bool, message: str, remedy: str, code: int, head: str = ERR
 def _print_json_error(as_json: bool, message: str, remedy: str, code: int) -> int:
     if as_json and sys.stdout:
         try:
-            terminal.echo(json.dumps({"error": _shorten(click.unstyle(message)), "remedy": _shorten(remedy)}, indent=2))
+            error, remedy = (as_called(_shorten(text)) for text in (click.unstyle(message), remedy))
+            terminal.echo(json.dumps({"error": error, "remedy": remedy}, indent=2))
             sys.stdout.flush()
         except OSError:  # the reader is gone, or the disk is full; the message is printed already
             _drop_output()

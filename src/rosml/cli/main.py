@@ -15,6 +15,7 @@ from rosml.base.environment import LACKING
 from rosml.base.errors import RosmlError
 from rosml.cli import command, completion
 from rosml.cli.checkout import Command, Group
+from rosml.cli.sections import MODULES, SECTIONS
 
 TRIED = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "scanner", "signer")} | {
     "up": "rosml setup",
@@ -49,41 +50,6 @@ TRIED = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "sc
     "version": "rosml --version",
 }
 """Words that people try, from other tools or from make, and the command for each."""
-
-SECTIONS = {
-    "Run images": {"run": "run.run", "attach": "run.attach"},
-    "Build images of your own packages": {
-        "init": "containerize.init",
-        "containerize": "containerize.containerize",
-        "dev": "containerize.dev",
-        "rebase": "containerize.rebase",
-        "save": "delivery.save",
-        "load": "delivery.load",
-        "delta": "delivery.delta",
-        "ci": "containerize.ci",
-    },
-    "Find and build base images": {
-        "list": "images.listing",
-        "explain": "images.explain",
-        "image": "images.image",
-        "part": "images.part",
-        "join": "images.join",
-    },
-    "Publish base images": {
-        "plan": "images.plan",
-        "publish": "images.publish",
-        "status": "images.status",
-        "catalogue": "images.catalogue",
-        "locks": "images.locks",
-        "generate": "images.generate",
-        "diff": "images.diff",
-    },
-    "Set up this machine": {"setup": "machine.setup", "doctor": "machine.doctor"},
-}
-"""The sections of --help: each command, and its module in this package, which has a `main`."""
-
-MODULES = {name: module for section in SECTIONS.values() for name, module in section.items()}
-
 
 class Rosml(Group):
     def resolve_command(

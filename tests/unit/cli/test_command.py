@@ -166,7 +166,7 @@ def test_a_command_that_is_mistyped(words: list[str], meant: str, capsys: pytest
 )
 def test_a_command_that_is_elsewhere(words: list[str], remedy: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(main.cli, arguments=words) == 2
-    assert capsys.readouterr().err.endswith(f"It is: {remedy}\n")
+    assert capsys.readouterr().err.replace("./rosml", "rosml").endswith(f"It is: {remedy}\n")
 
 
 @pytest.mark.parametrize(
@@ -191,6 +191,26 @@ def test_words_at_a_wrong_place(words: list[str], message: str, capsys: pytest.C
 def test_help_is_a_word_too(words: list[str], shows: str, capsys: pytest.CaptureFixture[str]) -> None:
     assert command.run(main.cli, arguments=words) == 0
     assert shows in capsys.readouterr().out
+
+
+def test_every_message_passes_through_the_helper(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(command, "call", lambda: "/opt/rosml/rosml")
+    failing = raising(RosmlError("no lock: run 'rosml locks'", "or: rosml list"))
+    failing.params.append(click.Option(["--json"], is_flag=True, expose_value=False))
+    assert command.run(failing, "", ["--json"]) == 1
+    command.warn("no services", "rosml setup")
+    done = capsys.readouterr()
+    assert json.loads(done.out) == {"error": "no lock: run '/opt/rosml/rosml locks'", "remedy": "or: /opt/rosml/rosml list"}
+    assert done.err.splitlines()[:2] == [f"error: {json.loads(done.out)['error']}", "remedy: or: /opt/rosml/rosml list"]
+    assert done.err.endswith("warning: no services\nremedy: /opt/rosml/rosml setup\n")
+    assert command.run(main.cli, arguments=["up"]) == 2
+    assert capsys.readouterr().err.endswith("It is: /opt/rosml/rosml setup\n")
+    assert command.run(main.cli, arguments=["explain", "jazzy"]) == 0
+    assert capsys.readouterr().out.endswith("see them with: /opt/rosml/rosml list jazzy\n")
+    assert command.run(main.cli, arguments=["list", "onnx"]) == 0
+    assert capsys.readouterr().out.endswith("images: /opt/rosml/rosml explain onnx\n")
 
 
 def test_a_quiet_command_prints_its_result_and_its_error(capfd: pytest.CaptureFixture[str]) -> None:

@@ -25,7 +25,7 @@ from conftest import ROOT, SMALL
 import rosml
 from fakes.http_registry import local_registry
 from rosml.base import environment, project_addresses
-from rosml.cli import checkout, main
+from rosml.cli import checkout, command, main
 from rosml.images.image_set import load
 from rosml.registry.client import Registry
 from tests.e2e import parts
@@ -105,21 +105,44 @@ def test_shells_complete(shell: str) -> None:
 def test_a_command_to_try_is_one_that_its_caller_can_call(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "/usr/bin:/bin")
     monkeypatch.chdir(ROOT)
-    assert (checkout.call(), checkout.call(tmp_path)) == ("./rosml", f"{ROOT}/rosml")
+    assert (command.call(), command.call(tmp_path)) == ("./rosml", f"{ROOT}/rosml")
     monkeypatch.chdir(tmp_path)
-    assert (checkout.call(), checkout.call(ROOT)) == (f"{ROOT}/rosml", "./rosml")
+    assert (command.call(), command.call(ROOT)) == (f"{ROOT}/rosml", "./rosml")
     (tmp_path / "rosml").symlink_to("/bin/true")
     monkeypatch.setenv("PATH", str(tmp_path))
-    assert checkout.call() == f"{ROOT}/rosml", "that is another one"
+    assert command.call() == f"{ROOT}/rosml", "that is another one"
     (tmp_path / "rosml").unlink()
     (tmp_path / "rosml").symlink_to(ROOT / "rosml")
-    assert checkout.call() == "rosml"
+    assert command.call() == "rosml"
     (tmp_path / "my set").mkdir()
-    monkeypatch.setattr(checkout, "MATRIX", tmp_path / "my set/set.yaml")
+    monkeypatch.setattr(command, "MATRIX", tmp_path / "my set/set.yaml")
     (tmp_path / "my set/rosml").touch()
-    assert checkout.call() == f"'{tmp_path}/my set/rosml'"
-    monkeypatch.setattr(checkout, "IN_CHECKOUT", False)
-    assert checkout.call() == "rosml"
+    assert command.call() == f"'{tmp_path}/my set/rosml'"
+    monkeypatch.setattr(command, "IN_CHECKOUT", False)
+    assert command.call() == "rosml"
+
+
+@pytest.mark.parametrize(
+    ("text", "called"),
+    [
+        ("run 'rosml setup', then run it again", "run './rosml setup', then run it again"),
+        ("rosml setup down; rosml setup clean", "./rosml setup down; ./rosml setup clean"),
+        ("it is: ./rosml list", "it is: ./rosml list"),
+        ("ROS_CHANNEL=testing rosml image x, or rosml list", "ROS_CHANNEL=testing ./rosml image x, or ./rosml list"),
+        ("cat x | rosml load - < x", "cat x | ./rosml load - < x"),
+        ("Usage: rosml [OPTIONS]\nTry 'rosml --help'", "Usage: ./rosml [OPTIONS]\nTry './rosml --help'"),
+        ("--push is an option of rosml containerize", "--push is an option of rosml containerize"),
+        ("uvx --from git+https://… rosml init", "uvx --from git+https://… rosml init"),
+        ("call /opt/rosml/rosml list; rosml is older", "call /opt/rosml/rosml list; rosml is older"),
+    ],
+)
+def test_a_message_names_the_command_as_its_reader_calls_it(
+    text: str, called: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(ROOT)
+    assert command.as_called(text) == called
+    monkeypatch.setattr(command, "IN_CHECKOUT", False)
+    assert command.as_called(text) == called.replace("./rosml", "rosml")
 
 
 @pytest.mark.parametrize(

@@ -338,7 +338,7 @@ def test_another_registry_is_read_without_services(shop: Shop, capsys: pytest.Ca
     for name in ("status", "catalogue"):
         code, _, err = ended(shop, name, words, capsys)
         assert (code, err.splitlines()[0]) == (1, "error: the local registry and the builder are not up")
-        assert "run 'rosml setup'" in err
+        assert "run './rosml setup'" in err
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ import click
 
 from rosml import IN_CHECKOUT, ROOT, STATE
 from rosml.base import terminal
-from rosml.cli import checkout, options
+from rosml.cli import command, options
 from rosml.cli.checkout import Command
 from rosml.cli.command import say
 from rosml.cli.options import Function
@@ -98,11 +98,11 @@ def main(folder: Path, lock: bool, as_json: bool, **options_by_variable: str | b
     for line in [] if values.push else where(services.registry, [image.reference for image in result.images]):
         terminal.echo(line)
     for image in result.images[:1]:
-        terminal.echo(f"try    {checkout.call()} run {image.reference}")
+        terminal.echo(f"try    {command.call()} run {image.reference}")
 
 
 def where(registry: str, images: Sequence[str]) -> Iterator[str]:
     """Lines that say where images are, if nobody named a registry, and Docker does not have them."""
     if registry and images and images[0].startswith(f"{registry}/"):
         yield "where  in the local registry, as setup found no Docker; with --push, in the registry that --image-name names"
-        yield f"       {checkout.call()} save {images[0]} -o image.tar writes one into a file"
+        yield f"       {command.call()} save {images[0]} -o image.tar writes one into a file"

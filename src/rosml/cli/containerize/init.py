@@ -18,7 +18,7 @@ from click.core import ParameterSource
 from rosml import IN_CHECKOUT, ROOT
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
-from rosml.cli import checkout, first_files, options
+from rosml.cli import command, first_files, options
 from rosml.cli.checkout import Command
 from rosml.cli.command import warn
 from rosml.cli.first_files import Calls
@@ -338,7 +338,7 @@ def _published(image_set: ImageSet, image: Image, project: Project) -> Calls:
         if (other.distribution, other.component, other.combination, other.stack) == slim and project.forge in FORGES
     ]
     only = "".join(f" --only {target}" for target in (image.target, *slim_targets))
-    program, where = (checkout.call(), "") if IN_CHECKOUT else ("./rosml", "in a clone of rosml: ")
+    program, where = (command.call(), "") if IN_CHECKOUT else ("./rosml", "in a clone of rosml: ")
     what = "publishes the base image" + (", and the one for slim images" if slim_targets else "")
     line = f"{program} publish all --registry {project.place}{only} --serve {base_images.native_architecture()}"
     return [(line, f"{where}{what}, if nobody has yet")]
@@ -349,7 +349,7 @@ def _calls(folder: Path, decision: Decision, project: Project, first: Sequence[F
 
     cwd = Path.cwd()
     where = shlex.quote(str(folder.relative_to(cwd) if folder.is_relative_to(cwd) else folder))
-    is_here, program = where == ".", checkout.call()
+    is_here, program = where == ".", command.call()
     containerize = f"{program} containerize{'' if is_here else f' {where}'}"
     calls: Calls = []
     local, has_base = ("", False) if project.place else _local(project.tag)
@@ -358,7 +358,7 @@ def _calls(folder: Path, decision: Decision, project: Project, first: Sequence[F
         calls.append((f"{program} image {decision.image.target}", what))
     images = f"{project.name} to run them, {project.dev_image} to work on them"
     calls.append((containerize, f"builds and tests your packages: {images}"))
-    run = f"{program} run" if is_here else f"cd {where} && {checkout.call(folder)} run"
+    run = f"{program} run" if is_here else f"cd {where} && {command.call(folder)} run"
     calls.append((run, "a shell in the image to work in, with your folder in it"))
     if project.images and project.forge not in FORGES:
         calls.append((f"{containerize} --push --image-name {project.images}", "the same, and pushes them"))

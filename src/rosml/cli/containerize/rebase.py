@@ -14,7 +14,7 @@ from click.core import ParameterSource
 from rosml import IN_CHECKOUT, ROOT, STATE
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
-from rosml.cli import checkout, options
+from rosml.cli import command, options
 from rosml.cli.checkout import Command
 from rosml.cli.command import say
 
@@ -206,7 +206,7 @@ def _print(rebased: Rebased) -> None:
         terminal.echo("it was there already")
         return
     terminal.echo(f"base    {_in_full(rebased.base, rebased.base_digest)}")
-    back = f"; back: {checkout.call()} rebase {rebased.reference} --back {rebased.back}" if rebased.back else ""
+    back = f"; back: {command.call()} rebase {rebased.reference} --back {rebased.back}" if rebased.back else ""
     terminal.echo(f"before  {_in_full(rebased.old_base, rebased.old_base_digest) or 'an unknown base image'}{back}")
     if not rebased.verdict:  # after --back, which sends no layer
         return
@@ -243,7 +243,7 @@ def _move_fleet(rebaser: Rebaser, file: Path, call: Call) -> None:
     else:
         _print_outcomes(outcomes)
         for place in places:
-            terminal.echo(f"back: {checkout.call()} publish undo {date} --registry {place}")
+            terminal.echo(f"back: {command.call()} publish undo {date} --registry {place}")
         if call.dry_run:
             terminal.echo("nothing was changed")
     if any(outcome.state in ("refused", "failed") for outcome in outcomes):

@@ -12,7 +12,7 @@ from rosml import ROOT
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
-from rosml.cli import completion, options
+from rosml.cli import command, completion, options
 from rosml.cli.checkout import Command
 
 if TYPE_CHECKING:
@@ -55,7 +55,10 @@ def main(name: str, addons: str, matrix: Path, as_json: bool) -> None:
         explanation = _with_addons(load.load(matrix, ROOT), name, addons)
     else:
         explanation = explained(load.load_one(matrix, name, ROOT), name)
-    terminal.echo(json.dumps(explanation.to_json(), indent=2, ensure_ascii=False) if as_json else explanation.text)
+    if as_json:
+        terminal.echo(json.dumps(explanation.to_json(), indent=2, ensure_ascii=False))
+    else:
+        terminal.echo(command.as_called(explanation.text))
 
 
 def _with_addons(image_set: ImageSet, name: str, text: str) -> Explained:

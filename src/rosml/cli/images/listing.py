@@ -9,7 +9,7 @@ import click
 from rosml import ROOT
 from rosml.base import terminal
 from rosml.base.problems import counted, listed
-from rosml.cli import completion, options
+from rosml.cli import command, completion, options
 from rosml.cli.checkout import Command
 
 
@@ -35,7 +35,7 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     image_set = load.load(matrix, ROOT)
     images = search.search(image_set, groups)
     if not images:
-        terminal.echo(selection.none_in(image_set, groups), err=True)
+        terminal.echo(command.as_called(selection.none_in(image_set, groups)), err=True)
     if as_json:
         from rosml.images.bake.inputs import Inputs
 
@@ -46,10 +46,11 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
         tagged_images = [image for image in images if image.tags]
         tables.print_images(tagged_images or images)
         for line in support.ends(image_set.matrix, (image.distribution for image in images), clock.today()):
-            terminal.say(line, "yellow")
+            terminal.say(command.as_called(line), "yellow")
         if tests := [image for image in images if not image.tags]:
             addons = list(dict.fromkeys(addon for image in tests for addon in image.addons))
             more = f"{counted(len(tests), 'more image')} without a tag test"
             text = more if tagged_images else "without a tag, these test"
             one = addons[0] if len(addons) == 1 else "NAME"
-            terminal.echo(f"{text} {listed(addons)}, which go onto other images: rosml explain {one}")
+            line = f"{text} {listed(addons)}, which go onto other images: rosml explain {one}"
+            terminal.echo(command.as_called(line))

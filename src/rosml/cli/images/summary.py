@@ -7,7 +7,7 @@ from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.units import size, time_taken
-from rosml.cli import checkout
+from rosml.cli import command
 from rosml.images.builds import base_images
 from rosml.images.image_set.model import Image, tags_of
 from rosml.images.publish.items import ABSENT, WAITING
@@ -55,7 +55,7 @@ class Summary:
         rows = [
             ("FROM", self.reference),
             *(tagged if self.tags else untagged),
-            ("try it", f"{checkout.call()} run {self.reference}"),
+            ("try it", f"{command.call()} run {self.reference}"),
             ("build on it", self.builder),
             ("size", f"{size(self.compressed)} compressed{shared}, {size(self.unpacked)} unpacked"),
             ("new in registry", size(self.uploaded)),

@@ -17,7 +17,7 @@ import click
 from rosml import IN_CHECKOUT, MATRIX, ROOT
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
-from rosml.cli import options
+from rosml.cli import command, options
 from rosml.cli.checkout import Command
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ class Finding:
     remedy: str = ""
 
     def to_json(self) -> dict[str, str]:
-        return {"name": self.name, "state": self.state, "found": self.text, "remedy": self.remedy}
+        return {"name": self.name, "state": self.state, "found": self.text, "remedy": command.as_called(self.remedy)}
 
 
 @click.command(
@@ -75,7 +75,7 @@ def show(findings: list[Finding]) -> None:
         state = click.style(finding.state.ljust(5), fg=STYLES[finding.state])
         terminal.echo(f"{state}  {finding.name.ljust(width)}  {finding.text}")
         if finding.remedy:
-            terminal.echo(f"{'':5}  {'':{width}}  → {finding.remedy}")
+            terminal.echo(f"{'':5}  {'':{width}}  → {command.as_called(finding.remedy)}")
 
 
 def system() -> Iterator[Finding]:
@@ -180,12 +180,12 @@ def services() -> Iterator[Finding]:
     facts = status(state_of_checkout())
     if not facts["up"]:
         text = "not up: no local registry, and no builder"
-        yield Finding("services", "note", text, "./rosml setup; make image calls it")
+        yield Finding("services", "note", text, "rosml setup; make image calls it")
         return
     for name, address in (("registry", facts["registry"]["address"]), ("builder", facts["builder"]["name"])):
         answers = facts[name]["answers"]
         text = f"{address} {'answers' if answers else 'does not answer'}"
-        yield Finding(name, "ok" if answers else "wrong", text, "" if answers else "./rosml setup")
+        yield Finding(name, "ok" if answers else "wrong", text, "" if answers else "rosml setup")
     bases = "official ones, from Docker Hub" if facts["docker_hub"] else "made here from Debian's archive"
     yield Finding("base images", "ok", bases)
 

@@ -13,7 +13,7 @@ import click
 
 from rosml import ROOT
 from rosml.base import terminal
-from rosml.cli import checkout, options
+from rosml.cli import checkout, command, options
 from rosml.cli.checkout import Command, Group
 
 if TYPE_CHECKING:
@@ -247,7 +247,7 @@ def status(as_json: bool) -> None:
         }
     rows |= {"built tools": ", ".join(facts["installed"]) or "none", "disk free": f"{facts['disk_free_gb']} GB"}
     for name, value in {**rows, "state": facts["state"]}.items():
-        terminal.echo(f"{name:<11}  {value}")
+        terminal.echo(command.as_called(f"{name:<11}  {value}"))
 
 
 def state_of_checkout() -> State:

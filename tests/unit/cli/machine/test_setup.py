@@ -55,7 +55,7 @@ def test_a_client_of_a_registry_builds_no_program(state: State, monkeypatch: pyt
             ask()
         assert caught.value.remedy == "run 'rosml setup'"
     assert services.status(state)["up"] is False
-    assert "not up (rosml setup)" in call(state, monkeypatch, "status")
+    assert "not up (./rosml setup)" in call(state, monkeypatch, "status")
 
 
 def test_a_client_leaves_services_that_are_up(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -84,7 +84,7 @@ def test_a_call_by_people_begins_with_uv_and_packages(
 
 def test_status_after_the_services_died(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
     services_of(state, "buildkitd", "/nowhere/buildx", "127.0.0.1:1").save()
-    assert call(state, monkeypatch, "status").count("DOES NOT ANSWER (rosml setup)") == 2
+    assert call(state, monkeypatch, "status").count("DOES NOT ANSWER (./rosml setup)") == 2
     facts = json.loads(call(state, monkeypatch, "status", "--json"))
     assert (facts["up"], facts["registry"], facts["docker_hub"]) == (
         True,

@@ -24,7 +24,7 @@ from fakes.rebasing import (
 )
 from rosml.base import clock
 from rosml.base.errors import RosmlError
-from rosml.cli import checkout
+from rosml.cli import command
 from rosml.cli.containerize import rebase
 from rosml.cli.images import publish
 from rosml.containerize.rebase.trial import Trial
@@ -142,7 +142,7 @@ def test_each_line_of_the_way_back_gives_the_digest_of_before(place: Place) -> N
     before = {name: place.digest(name) for name in (*apps.values(), f"{apps['gpu']}-cpu")}
     for kind, app in apps.items():
         code, out, _ = called(app, *moves[kind])
-        ways = [line.partition(f"; back: {checkout.call()} rebase ")[2].split() for line in out.splitlines()]
+        ways = [line.partition(f"; back: {command.call()} rebase ")[2].split() for line in out.splitlines()]
         ways = [way for way in ways if way]
         assert (code, len(ways)) == (0, 2 if kind == "gpu" else 1), "a tag that was not there has no way back"
         for way in ways:
@@ -185,7 +185,7 @@ def test_many_apps_with_the_way_back(place: Place, tmp_path: Path) -> None:
     assert code == 0 and after == [item["rebased"]["digest"] for item in planned]
     for name, digest, new in zip(names, before, after, strict=True):
         assert f"moved      {name}  {digest[7:19]} -> {new[7:19]}  {base}\n" in out
-    lines = [line for line in out.splitlines() if line.startswith(f"back: {checkout.call()} publish undo 20")]
+    lines = [line for line in out.splitlines() if line.startswith(f"back: {command.call()} publish undo 20")]
     folders = [line.partition(" --registry ")[2] for line in lines]
     assert folders == [f"{place.server.address}/me", f"{place.server.address}/me/deep"], "an undo for each folder"
 
