@@ -46,7 +46,7 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
         tagged_images = [image for image in images if image.tags]
         tables.print_images(tagged_images or images)
         for line in support.ends(image_set.matrix, (image.distribution for image in images), clock.today()):
-            terminal.say(command.as_called(line), "yellow")
+            terminal.say(line, "yellow")
         if tests := [image for image in images if not image.tags]:
             addons = list(dict.fromkeys(addon for image in tests for addon in image.addons))
             more = f"{counted(len(tests), 'more image')} without a tag test"

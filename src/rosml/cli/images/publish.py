@@ -15,7 +15,7 @@ import click
 from rosml import ROOT
 from rosml.base import files, terminal
 from rosml.cli.checkout import Group
-from rosml.cli.command import say
+from rosml.cli.command import as_called, say
 from rosml.cli.images.call import KEPT, Call, sharing
 from rosml.cli.options import place_of
 
@@ -158,10 +158,13 @@ def everything(**options: Any) -> None:
       rosml publish all --only 'ros1-bookworm-core*' --serve amd64
       rosml publish all --since origin/main --at-most 2 --serve amd64
     """
+    from rosml.cli.images import report
     from rosml.images.publish.steps import STEPS
 
     call = Call(**options)
     run = call.run()
+    for line in report.waiting(run.state):
+        say(as_called(line))
     for name, step in STEPS.items():
         if name == "index" and call.require_scan:
             _scan(call, run)

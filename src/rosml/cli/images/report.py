@@ -6,7 +6,7 @@ import json
 import math
 import time
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from rosml.base import github, terminal
 from rosml.base.problems import counted, listed, some
@@ -16,6 +16,7 @@ from rosml.images.builds import disk
 from rosml.images.image_set.missing_locks import UNLOCKED
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.publish import status
+from rosml.images.publish.items import ELSEWHERE
 from rosml.images.publish.plan import Plan
 from rosml.images.publish.run import Outcome, Run
 from rosml.images.publish.shards import Shard
@@ -40,12 +41,33 @@ def plan_to_ci(plan: Plan, image_set: ImageSet, cost: str) -> None:
 
 def _left_out(plan: Plan) -> str:
     """What the run cannot do, by what it waits for: a lock that is missing, a package, something below it."""
+    causes = _causes((task.target, task.hindered) for task in plan.tasks)
+    heads = ((f"### {len(names)} left out: {github.code(reason)}", names) for reason, names in causes.items())
+    return "".join(f"\n{head}\n\n{tables.folded(names)}\n" for head, names in heads)
+
+
+def _causes(hindered: Iterable[tuple[str, str]]) -> dict[str, list[str]]:
+    """Targets that wait, by what they wait for."""
     targets: dict[str, dict[str, None]] = {}
-    for task in plan.tasks:
-        if task.hindered:
-            targets.setdefault(status.without_target(task.hindered), {})[task.target] = None
-    causes = ((f"### {len(names)} left out: {github.code(reason)}", names) for reason, names in targets.items())
-    return "".join(f"\n{head}\n\n{tables.folded([*names])}\n" for head, names in causes)
+    for target, reason in hindered:
+        if reason:
+            targets.setdefault(status.without_target(reason), {})[target] = None
+    return {reason: [*names] for reason, names in targets.items()}
+
+
+def waiting(state: State) -> Iterator[str]:
+    """Says before a run what waits in it and for what, with the command or option that helps."""
+    served = state.request.serve or state.image_set.matrix.architectures
+    tasks = [task for task in state.tasks() if task.item.architecture in served]
+    for reason, names in _causes((task.item.target, task.hindered) for task in tasks).items():
+        if reason != ELSEWHERE:
+            yield f"{some(names)} {'waits' if len(names) == 1 else 'wait'}: {reason}"
+    yield from tables.unlocked([image for image in state.images if not image.locked])
+    absent = listed(sorted({task.item.architecture for task in tasks if task.hindered == ELSEWHERE}))
+    if absent:
+        here = sorted(state.architectures)
+        tags = f"tags move when a machine for {absent} has published its images, too"
+        yield f"{absent} waits for a machine: {tags}; for {listed(here)} alone, add --serve {' --serve '.join(here)}"
 
 
 def print_plan(state: State, why: bool) -> None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from rosml.base import github, terminal
 from rosml.base.problems import counted, some
 from rosml.base.terminal import Cell
+from rosml.cli import command
 from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image
 
@@ -95,7 +96,7 @@ def short(version: str) -> str:
 
 def print_unlocked(images: Collection[Image]) -> None:
     for line in unlocked(images):
-        terminal.say(line, "yellow")
+        terminal.say(command.as_called(line), "yellow")
 
 
 def unlocked(images: Collection[Image]) -> Iterator[str]:

@@ -106,6 +106,6 @@ def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pyte
 def test_listing_tells_both_apart(elsewhere: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:
     tables.print_images(without(elsewhere, TORCH, WAITING).images)
     assert [line.strip() for line in capsys.readouterr().out.splitlines()[-2:]] == [
-        f"6 images without a lock, which cannot be built yet: {missing_locks.RESTORE}",
-        f"6 images without a lock, which cannot be built yet: {missing_locks.ASK_PYTORCH}",
+        f"6 images without a lock, which cannot be built yet: {command.as_called(missing_locks.RESTORE)}",
+        f"6 images without a lock, which cannot be built yet: {command.as_called(missing_locks.ASK_PYTORCH)}",
     ]

@@ -15,7 +15,8 @@ from fakes.projects import copy
 from fakes.stubs import services
 from rosml.base import github, units
 from rosml.base.errors import RosmlError
-from rosml.base.problems import counted
+from rosml.base.problems import counted, some
+from rosml.cli import command
 from rosml.cli.images import plan, publish, report
 from rosml.cli.images.call import Call
 from rosml.images.bake import diff as differences
@@ -135,10 +136,11 @@ def test_what_lacks_a_lock_is_named_with_the_lock_and_the_command_that_makes_it(
     report.print_plan(run.state, why=False)
     *_, counts, line = capsys.readouterr().out.splitlines()
     assert counts.endswith(" up to date")
-    assert line == f"{images} without a lock, which cannot be built yet: {missing_locks.RESTORE}"
+    text = f"{images} without a lock, which cannot be built yet: {missing_locks.RESTORE}"
+    assert line == command.as_called(text) != text
     report.plan_to_ci(make_plan(run.state, 4), lacking, "")
     summary = (ci / github.SUMMARY).read_text()
-    assert f"\n- {line}\n" in summary
+    assert f"\n- {text}\n" in summary
     head, _, names = summary.partition("left out: `lock missing: locks/cu1/amd64/3.12/torch.txt`\n")
     unlocked = [image.target for image in lacking.images if not image.locked]
     assert len(unlocked) > 1 and all(f"`{target}`" in names for target in unlocked) and "left out" not in head + names
@@ -149,6 +151,32 @@ def test_what_lacks_a_lock_is_named_with_the_lock_and_the_command_that_makes_it(
         waits = [line for line in text.splitlines() if line.startswith(f"{mark}waits: ") and "lock" in line]
         parts = sum(bool(part.unlocked) for part in lacking.parts)
         assert waits == [f"{mark}waits: {int(images.split()[0]) + parts} without a lock"]
+
+
+def test_a_run_says_first_what_waits_and_for_what(
+    registry: Publisher, image_set: ImageSet, project: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    lock = "locks/cu1/amd64/3.12/torch.txt"
+    (project / lock).unlink()
+    lacking = locked.with_locks(image_set, image_set.locks - {lock})
+
+    def first_lines(serving: tuple[str, ...]) -> list[str]:
+        monkeypatch.setattr(Call, "run", lambda _: registry.run(lacking, serving=serving, architectures=("amd64",)))
+        lines = CliRunner().invoke(publish.main, ["all"]).stderr.splitlines()
+        return [line.removeprefix("==> ") for line in lines if line.startswith("==> ")]
+
+    unlocked, remedy, elsewhere = first_lines(())
+    images = [image.target for image in lacking.images if not image.locked]
+    part = next(part.target for part in lacking.parts if part.unlocked)
+    assert unlocked == f"{some([part, *images])} wait: lock missing: {lock}"
+    assert remedy == command.as_called(
+        f"{len(images)} images without a lock, which cannot be built yet: {missing_locks.RESTORE}"
+    )
+    assert elsewhere == (
+        "arm64 waits for a machine: tags move when a machine for arm64 has published its images, too; for amd64 alone, add"
+        " --serve amd64"
+    )
+    assert first_lines(("amd64",)) == [unlocked, remedy], "nothing waits for a machine"
 
 
 @pytest.mark.parametrize("is_damaged", [False, True])
