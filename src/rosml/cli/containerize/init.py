@@ -70,7 +70,7 @@ class Call:
     alone=True,
     kept=KEPT,
 )
-@click.argument("folder", type=click.Path(exists=True, file_okay=False, path_type=Path), default=".")
+@click.argument("folder", type=click.Path(file_okay=False, path_type=Path), default=".")
 @click.option("--distribution", default="", metavar="NAME", help="ROS distribution of the base image, such as jazzy")
 @click.option("--component", default="", metavar="NAME", help="how much of ROS it has, such as base")
 @click.option("--framework", default="", metavar="NAME", help="what it has for machine learning; none for nothing")

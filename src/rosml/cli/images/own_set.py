@@ -13,9 +13,11 @@ from pathlib import Path
 from rosml import IN_CHECKOUT, MATRIX, ROOT
 from rosml.base import terminal, untrusted
 from rosml.base.errors import RosmlError
+from rosml.base.problems import some
 from rosml.base.project_addresses import addresses
 from rosml.cli import first_files
 from rosml.images.image_set import load, own_set
+from rosml.images.image_set.model import Image
 from rosml.images.image_set.own_set import Upstream
 from rosml.machine import git
 from rosml.registry.place import Place
@@ -65,6 +67,7 @@ def begin(folder: Path, wishes: Wishes, dry_run: bool, as_json: bool) -> None:
     nightly = "the workflow publishes the set every night" if upstream.on_github else nightly
     calls = [
         (f"{where}./rosml list", "all images of the set; the first call fetches rosml"),
+        *_locks(own_set.unlocked(image_set, choice)),
         ("./rosml setup", "a registry and a builder on this machine, which plan, image and publish need"),
         ("./rosml plan --everywhere", "what is to be built, how long it takes, and how large the registry gets"),
         (f"./rosml image {choice.image.target}", "builds and tests an image on this machine"),
@@ -74,6 +77,17 @@ def begin(folder: Path, wishes: Wishes, dry_run: bool, as_json: bool) -> None:
         terminal.echo(json.dumps({"folder": str(folder), **first_files.as_json(files, calls)}, indent=2))
     else:
         first_files.show(files, calls, dry_run)
+
+
+def _locks(unlocked: Sequence[Image]) -> list[tuple[str, str]]:
+    """The call that makes the locks that images of the set wait for."""
+    if not unlocked:
+        return []
+    stacks = {image.stack for image in unlocked}
+    names = some([image.target for image in unlocked])
+    waiting = f"the locks that {'an image waits' if len(unlocked) == 1 else 'images wait'} for ({names})"
+    where = "" if all(image.lost for image in unlocked) else ", on a machine that reaches PyTorch's own package index"
+    return [(f"./rosml locks{f' --stack {stacks.pop()}' if len(stacks) == 1 else ''}", f"{waiting}{where}")]
 
 
 def _upstream(repository: str) -> Upstream:

@@ -36,7 +36,8 @@ class Upstream:
 
 @dataclass(frozen=True)
 class Chosen:
-    """What a set has: names on the axes of the matrix, and where its images go."""
+    """What a set has: names on the axes of the matrix, and where its images go. `without_locks` has stacks that it could have if they had
+    their locks."""
 
     distributions: tuple[str, ...]
     components: tuple[str, ...]
@@ -45,6 +46,7 @@ class Chosen:
     image: Image
     registry: str
     source: str = ""
+    without_locks: tuple[str, ...] = ()
 
 
 def chosen(
@@ -70,11 +72,7 @@ def chosen(
                 raise RosmlError(unknown(kind, name, section), f"there are {listed(list(section))}", exit_code=2)
     plain = combinations.plain(matrix)
     frameworks = tuple(name for name in frameworks if name != plain)
-    stacks = tuple(
-        name
-        for name in _stacks(matrix, distributions, frameworks)
-        if accelerator in ("", matrix.stacks[name].accelerator)
-    )
+    stacks, without_locks = _stacks(image_set, distributions, frameworks, accelerator)
     chain = combinations.chain(matrix, default.component)
     components = (*chain, *(name for name, facts in matrix.components.items() if facts.runtime_of in chain))
     images = [
@@ -89,20 +87,45 @@ def chosen(
         text = f"{distributions[0]} has no images with {listed(frameworks, 'or') or 'these'}{f' for {accelerator}' * bool(accelerator)}"
         raise RosmlError(text, f"see why: rosml list {distributions[0]}", exit_code=2)
     image = next((item for item in images if item.component == default.component), images[0])
-    return Chosen(distributions, components, (plain, *frameworks), stacks, image, registry, source)
+    return Chosen(distributions, components, (plain, *frameworks), stacks, image, registry, source, without_locks)
 
 
-def _stacks(matrix: Matrix, distributions: Sequence[str], frameworks: Sequence[str]) -> tuple[str, ...]:
-    """For each distribution and framework, the stack of its short tags and the first one for the CPU."""
-    stacks = set[str | None]()
+def _stacks(
+    image_set: ImageSet, distributions: Sequence[str], frameworks: Sequence[str], accelerator: str
+) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """For each distribution and framework, a stack for GPUs and one for the CPU: of those that have their locks, that of its short tags or
+    the first one. If none has, its usual stack. Then the stacks of accelerators for which none has its locks."""
+    matrix = image_set.matrix
+    locked = {(image.distribution, image.combination, image.stack) for image in image_set.images if image.locked}
+    stacks, without_locks = set[str](), set[str]()
     for distribution, framework in product(distributions, frameworks):
-        on_cpu = (
+        names = [
             name
-            for name, facts in matrix.stacks.items()
-            if facts.accelerator == "cpu" and combinations.stack_reason(matrix, distribution, framework, name) is None
-        )
-        stacks |= {combinations.default_stack(matrix, distribution, framework), next(on_cpu, None)}
-    return tuple(name for name in matrix.stacks if name in stacks)
+            for name in dict.fromkeys((*matrix.distributions[distribution].default_stacks, *matrix.stacks))
+            if combinations.stack_reason(matrix, distribution, framework, name) is None
+            and accelerator in ("", matrix.stacks[name].accelerator)
+        ]
+        buildable = [name for name in names if (distribution, framework, name) in locked]
+        first = {matrix.stacks[name].accelerator: name for name in reversed(buildable)}
+        stacks.update(first.values() or names[:1])
+        without_locks.update(name for name in names if matrix.stacks[name].accelerator not in first)
+    listed_stacks = tuple(name for name in matrix.stacks if name in stacks)
+    return listed_stacks, tuple(name for name in matrix.stacks if name in without_locks - stacks)
+
+
+def unlocked(image_set: ImageSet, choice: Chosen) -> list[Image]:
+    """The images of a set that lack a lock. They are there if no other stack of the same accelerator has its locks, or one is chosen for
+    another distribution."""
+    return [
+        image
+        for image in image_set.images
+        if not image.locked
+        and not image.addons
+        and image.distribution in choice.distributions
+        and image.component in choice.components
+        and image.combination in choice.frameworks
+        and image.stack in (None, *choice.stacks)
+    ]
 
 
 def files(image_set: ImageSet, choice: Chosen, upstream: Upstream) -> dict[str, str]:
@@ -137,6 +160,8 @@ def _set(image_set: ImageSet, choice: Chosen) -> str:
         if (item.distribution, item.component, item.stack) == (choice.image.distribution, choice.image.component, None)
     )
     stacks = f"\nstacks:\n{entries(choice.stacks)}" if choice.stacks else ""
+    for name in choice.without_locks:
+        stacks += f"  # {name}: # its locks are missing: uncomment this, call ./rosml locks --stack {name}, and commit locks/\n"
     source = f"source: {choice.source}" if choice.source else "# source: https://github.com/me/images"
     return f"""\
 # The images of this set: what differs from rosml's matrix.yaml. What this file does not name is as in rosml.

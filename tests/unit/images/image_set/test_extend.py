@@ -104,7 +104,7 @@ def test_a_release_and_a_stack(project: Path, real: ImageSet) -> None:
     insert(project, next(section("A release of PyTorch or TensorFlow")))
     output = follow(project, "A stack")
     assert "jazzy-base-torch-cu126 exists, but cannot be built yet:" in output
-    assert "run 'rosml locks'" in output
+    assert "run './rosml locks'" in output
     assert "stack cu126 carries torch 2.7.1, cuda 12.6.77, cudnn 9.5.1.17 and nccl 2.26.2" in output
     image_set = load.load(project / "matrix.yaml", project)
     new = {image.target for image in image_set.images} - {image.target for image in real.images}

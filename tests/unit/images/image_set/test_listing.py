@@ -39,7 +39,7 @@ def test_groups_without_a_common_image(tmp_path: Path) -> None:
     (tmp_path / "matrix.yaml").write_text(robot)
     done = CliRunner().invoke(listing.main, ["--matrix", str(tmp_path / "matrix.yaml"), "alpha", "robot"])
     assert (done.exit_code, done.stdout) == (0, "")
-    assert done.stderr == "no image is in all of alpha and robot; see why: rosml explain alpha-robot\n"
+    assert done.stderr == "no image is in all of alpha and robot; see why: ./rosml explain alpha-robot\n"
 
 
 @pytest.mark.parametrize("width", [60, 120])

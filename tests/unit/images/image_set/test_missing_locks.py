@@ -94,13 +94,14 @@ def test_checking_does_not_ask_to_commit_a_loss(project: list[str], capsys: pyte
     stale = capsys.readouterr().err.splitlines()
     assert stale[0].startswith("error: 6 images cannot be built")
     assert stale[1].endswith("out.hcl: outdated")
-    assert stale[2:] == [f"remedy: {missing_locks.RESTORE}; then run 'rosml generate' and commit the result"]
+    restore = command.as_called(missing_locks.RESTORE)
+    assert stale[2:] == [f"remedy: {restore}; then run './rosml generate' and commit the result"]
     assert command.run(generate_bake.main, arguments=project) == 0
     lines = capsys.readouterr().err.splitlines()
     assert lines[0].endswith("out.hcl: written")
     assert lines[1].startswith("warning: 6 images cannot be built (alpha-core-torch-cu1, ")
     assert command.run(generate_bake.main, arguments=[*project, "--check"]) == 1
-    assert capsys.readouterr().err.splitlines()[1:] == [f"remedy: {missing_locks.RESTORE}"]
+    assert capsys.readouterr().err.splitlines()[1:] == [f"remedy: {restore}"]
 
 
 def test_listing_tells_both_apart(elsewhere: ImageSet, capsys: pytest.CaptureFixture[str]) -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 import subprocess
 import sys
 from datetime import date
@@ -10,12 +12,13 @@ from pathlib import Path
 
 import pytest
 import yaml
+from click.testing import CliRunner
 from conftest import ROOT
 
 from fakes.http_registry import local_registry
 from rosml.base.problems import InputError
-from rosml.cli import options
-from rosml.images.image_set import explain, load, own_set
+from rosml.cli import main, options
+from rosml.images.image_set import explain, load, locked, own_set
 from rosml.images.image_set.model import ImageSet
 from rosml.images.image_set.own_set import Upstream
 from tests import walk
@@ -356,6 +359,30 @@ def test_every_distribution_and_framework_can_begin_a_set(tmp_path: Path, real: 
             image_set = loaded(tmp_path, text)
             assert {image.distribution for image in image_set.images} == {distribution}
             assert image_set.image(choice.image.target).framework == framework
+            assert [image.target for image in image_set.images if not image.locked] == []
+
+
+def test_a_set_begins_with_stacks_that_have_their_locks(tmp_path: Path, real: ImageSet) -> None:
+    usual, *_ = real.image("jazzy-base-torch-cu130").locks
+    lacking = locked.with_locks(real, real.locks - {usual})
+    choice = own_set.chosen(lacking, ["jazzy"], [], "ghcr.io/robots/images", "")
+    assert choice.stacks == ("cu128", "cpu") and choice.image.target == "jazzy-base-torch-cu128"
+    choice = own_set.chosen(real, ["lyrical"], [], "ghcr.io/robots/images", "")
+    assert (choice.stacks, choice.without_locks) == (("cu130",), ("cpu",)), "nobody asked for the CPU"
+    text = own_set.files(real, choice, Upstream("https://github.com/rosml/rosml", "0" * 40))["set.yaml"]
+    assert "\n  # cpu: # its locks are missing: uncomment this, call ./rosml locks --stack cpu, " in text
+    uncommented = re.sub(r"^  # cpu:", "  cpu:", text, flags=re.MULTILINE)
+    assert "lyrical-base-torch-cpu" in loaded(tmp_path, uncommented).by_target
+
+
+def test_a_set_in_a_folder_that_is_not_there_yet_says_which_locks_to_make(tmp_path: Path) -> None:
+    words = ["init", "--images", str(tmp_path / "a/b"), "--registry", "ghcr.io/me/x", "--rosml", str(ROOT), "--cpu", "--json"]
+    done = CliRunner().invoke(main.cli, [*words, "--distribution", "humble,lyrical"])
+    assert done.exit_code == 0, done.stderr
+    assert (tmp_path / "a/b/set.yaml").is_file() and os.access(tmp_path / "a/b/rosml", os.X_OK)
+    assert json.loads(done.stdout)["next"][1:3] == ["./rosml locks --stack cpu", "./rosml setup"]
+    done = CliRunner().invoke(main.cli, [*words, "--distribution", "humble"])
+    assert json.loads(done.stdout)["next"][1] == "./rosml setup"
 
 
 # ---- In CI -----------------------------------------------------------------------------------------------------------
