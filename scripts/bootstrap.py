@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import fcntl
+import hashlib
 import json
 import os
 import re
@@ -17,7 +18,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import FrameType
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
+
+if TYPE_CHECKING:
+    from rosml.machine.setup.tool_cache import ToolCache
 
 if sys.version_info < (3, 9):  # noqa: UP036 (an old one may well call this)
     sys.exit("error: this needs Python 3.9 or newer, and this is {}.{}".format(*sys.version_info[:2]))
@@ -169,6 +173,35 @@ def pinned_uv() -> str:
     pins = requirements.read_text()
     if program.exists() and stamp.exists() and stamp.read_text() == pins:
         return str(program)
+    partial, key = BIN / f".uv.{os.getpid()}.partial", uv_key(pins)
+    stamp.unlink(missing_ok=True)
+    cache = tool_cache()
+    if cache.take("uv", key, partial):
+        say("uv: copied, as another checkout has installed it")
+    else:
+        install_uv(requirements, partial)
+        cache.keep("uv", key, partial)
+    partial.replace(program)
+    write(stamp, pins)
+    return str(program)
+
+
+def uv_key(pins: str) -> str:
+    """The version that the pins name, and a digest of all of them."""
+    version = re.search(r"^uv==(\S+)", pins, re.MULTILINE)
+    return f"{version[1] if version else '0'} {hashlib.sha256(pins.encode()).hexdigest()[:16]}"
+
+
+def tool_cache() -> ToolCache:
+    """The programs that the user's other checkouts have installed. Its module needs only Python itself."""
+    sys.path.insert(0, str(SOURCES))
+    from rosml import user_cache
+    from rosml.machine.setup.tool_cache import ToolCache
+
+    return ToolCache(user_cache() / "tools")
+
+
+def install_uv(requirements: Path, program: Path) -> None:
     started, folder, log = time.monotonic(), STATE / "tools", LOG / "install-uv.log"
     env = {**os.environ, "PIP_DISABLE_PIP_VERSION_CHECK": "1", "PIP_NO_INPUT": "1", "DEBIAN_FRONTEND": "noninteractive"}
     env.update(PIP_USER="0", PIP_TARGET="", PIP_PREFIX="")  # the user's own settings would install it elsewhere
@@ -179,15 +212,12 @@ def pinned_uv() -> str:
         install = "apt-get update && apt-get install --yes --no-install-recommends python3-venv"
         run("python3-venv", ["sh", "-c", install], LOG / "apt.log", env, f"install it by hand: sudo sh -c '{install}'")
     say("uv: installing its Python package")
-    stamp.unlink(missing_ok=True)
     run("uv", [sys.executable, "-m", "venv", "--clear", str(folder)], log, env)
     pip = [str(folder / "bin" / "python"), "-m", "pip", "install", "--require-hashes", "--no-deps", "--no-cache-dir"]
     run("uv", [*pip, "--requirement", str(requirements)], log, env, UNREACHED)
     os.replace(folder / "bin" / "uv", program)
     shutil.rmtree(folder, ignore_errors=True)
-    write(stamp, pins)
     say(f"uv: installed from its Python package in {time.monotonic() - started:.0f} s")
-    return str(program)
 
 
 def packages(uv: str, group: str) -> None:

@@ -282,6 +282,9 @@ def test_a_builder_that_was_not_told(company: Company, services: Services, tmp_p
     company.folder = machine
     outcome = company.publish("build", "--only", "ros1-bookworm-core")
     assert outcome.code == 1
-    assert "x509: certificate signed by unknown authority" in outcome.err and "rosml setup', which tells the builder" in outcome.err
+    assert (
+        "x509: certificate signed by unknown authority" in outcome.err
+        and "rosml setup', which tells the builder" in outcome.err
+    )
     assert company.tags() == {}
     nothing_secret(company, outcome)

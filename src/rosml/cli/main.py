@@ -51,6 +51,7 @@ TRIED = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "sc
 }
 """Words that people try, from other tools or from make, and the command for each."""
 
+
 class Rosml(Group):
     def resolve_command(
         self, ctx: click.Context, args: list[str]

@@ -202,7 +202,10 @@ def test_every_message_passes_through_the_helper(
     assert command.run(failing, "", ["--json"]) == 1
     command.warn("no services", "rosml setup")
     done = capsys.readouterr()
-    assert json.loads(done.out) == {"error": "no lock: run '/opt/rosml/rosml locks'", "remedy": "or: /opt/rosml/rosml list"}
+    assert json.loads(done.out) == {
+        "error": "no lock: run '/opt/rosml/rosml locks'",
+        "remedy": "or: /opt/rosml/rosml list",
+    }
     assert done.err.splitlines()[:2] == [f"error: {json.loads(done.out)['error']}", "remedy: or: /opt/rosml/rosml list"]
     assert done.err.endswith("warning: no services\nremedy: /opt/rosml/rosml setup\n")
     assert command.run(main.cli, arguments=["up"]) == 2

@@ -141,7 +141,7 @@ def test_the_uv_of_state_is_not_the_machines(bare: Bootstrap, monkeypatch: pytes
     assert bare.module.uv_on_path() == ""
 
 
-def test_the_pinned_uv_is_installed_once(bare: Bootstrap, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_pinned_uv_is_installed_once(bare: Bootstrap, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     pip: list[list[str]] = []
 
     def run(what: str, argv: list[str], *_: object) -> None:
@@ -152,6 +152,8 @@ def test_the_pinned_uv_is_installed_once(bare: Bootstrap, monkeypatch: pytest.Mo
     (bare.root / "tools").mkdir()
     requirements = bare.root / "tools/requirements.txt"
     requirements.write_text("uv==1\n")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "file/no folder"))
+    (tmp_path / "file").touch()
     monkeypatch.setattr(bare.module, "run", run)
     with bare.module.lock():
         for _ in range(2):
@@ -161,6 +163,38 @@ def test_the_pinned_uv_is_installed_once(bare: Bootstrap, monkeypatch: pytest.Mo
         requirements.write_text("uv==2\n")
         bare.module.pinned_uv()
     assert len(pip) == 4
+
+
+def test_the_pinned_uv_is_shared_with_other_checkouts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """As long as it is of this user, and of the same pins."""
+    installed: list[Path] = []
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+
+    def uv_of(name: str, pins: str = "uv==1.2\n") -> str:
+        bare = Bootstrap(tmp_path / name)
+        (bare.root / "tools").mkdir()
+        (bare.root / "tools/requirements.txt").write_text(pins)
+
+        def install(_: Path, program: Path) -> None:
+            program.write_text(f"of {name}")
+            program.chmod(0o755)
+            installed.append(bare.root)
+
+        monkeypatch.setattr(bare.module, "install_uv", install)
+        with bare.module.lock():
+            program = Path(bare.module.pinned_uv())
+        assert program == bare.root / ".state/bin/uv" and os.access(program, os.X_OK)
+        assert [file.name for file in program.parent.iterdir() if file.name.endswith(".partial")] == []
+        return program.read_text()
+
+    assert [uv_of("one"), uv_of("two"), uv_of("other pins", "uv==1.2 \\\n")] == ["of one", "of one", "of other pins"]
+    (kept, _) = sorted((tmp_path / "cache/rosml/tools").glob("uv-1.2-*"), key=lambda file: file.read_text())
+    kept.chmod(0o777)
+    assert uv_of("after others could write to it") == "of after others could write to it"
+    kept.unlink()
+    kept.symlink_to("/bin/true")
+    assert uv_of("after a link") == "of after a link"
+    assert len(installed) == 4
 
 
 def test_uv_is_pinned_by_hash() -> None:

@@ -120,7 +120,7 @@ def lacking(path: str, text: str, project: Project) -> Iterator[tuple[str, str]]
             yield f"lets rosdep install {' '.join(lost)}, which the base image has", f"add --skip-keys {keys}"
     elif path in FORGES.values() and "containerize" not in text:
         step, include = f"the step uses: {project.source}/containerize", "an include of containerize/gitlab.yml"
-        yield "does not call rosml containerize", f"add {step if path == GITHUB else include}"
+        yield "does not use rosml containerize", f"add {step if path == GITHUB else include}"
 
 
 def _lines(lines: Iterator[str]) -> str:

@@ -137,7 +137,7 @@ WORKFLOW = ".github/workflows/images.yml"
         ("Dockerfile", GOOD.format(" --skip-keys python3-torch"), ""),
         ("Dockerfile", GOOD.format(""), "lets rosdep install python3-torch, which the base image has"),
         ("Dockerfile", "FROM ubuntu\nRUN rosdep update && apt-get install x", "does not call rosdep install"),
-        (WORKFLOW, "jobs: {}\n", "does not call rosml containerize\nremedy: add the step uses: me/rosml/cont"),
+        (WORKFLOW, "jobs: {}\n", "does not use rosml containerize\nremedy: add the step uses: me/rosml/cont"),
         (WORKFLOW, "- uses: x/rosml/containerize@1\n", ""),
     ],
 )

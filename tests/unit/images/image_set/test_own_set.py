@@ -376,7 +376,17 @@ def test_a_set_begins_with_stacks_that_have_their_locks(tmp_path: Path, real: Im
 
 
 def test_a_set_in_a_folder_that_is_not_there_yet_says_which_locks_to_make(tmp_path: Path) -> None:
-    words = ["init", "--images", str(tmp_path / "a/b"), "--registry", "ghcr.io/me/x", "--rosml", str(ROOT), "--cpu", "--json"]
+    words = [
+        "init",
+        "--images",
+        str(tmp_path / "a/b"),
+        "--registry",
+        "ghcr.io/me/x",
+        "--rosml",
+        str(ROOT),
+        "--cpu",
+        "--json",
+    ]
     done = CliRunner().invoke(main.cli, [*words, "--distribution", "humble,lyrical"])
     assert done.exit_code == 0, done.stderr
     assert (tmp_path / "a/b/set.yaml").is_file() and os.access(tmp_path / "a/b/rosml", os.X_OK)
