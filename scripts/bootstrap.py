@@ -265,6 +265,8 @@ def hand_over(command: str, *options: str, uv: str = "", come_back: bool = False
     dropped = ("PYTHONPATH", "PYTHONHOME", "PYTHONOPTIMIZE", "PYTHONSAFEPATH")
     env = {name: value for name, value in os.environ.items() if name not in dropped}
     env.update(ROSML_UV=uv, ROSML_CA_BUNDLE=ca_bundle())
+    with suppress(FileNotFoundError):  # a folder that is gone
+        env["ROSML_CALLED_IN"] = os.getcwd()  # for messages that name the command
     argv = [str(PYTHON), str(SOURCES), "setup", command, *options]
     os.chdir(ROOT)
     if come_back:

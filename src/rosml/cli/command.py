@@ -23,7 +23,7 @@ from rosml.base.environment import program
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.base.terminal import obeying_no_color
-from rosml.cli.sections import MODULES
+from rosml.cli import MODULES
 
 INTERRUPTED_TEXT = "interrupted"
 
@@ -119,6 +119,10 @@ def quiet() -> Iterator[None]:
             os.close(terminal_number)
 
 
+CALLED_IN = "ROSML_CALLED_IN"
+"""The variable with the user's folder. scripts/bootstrap.py sets it, since it goes to the checkout."""
+
+
 def call(folder: Path | None = None) -> str:
     """This rosml as somebody calls it in a folder: `rosml` if it is on PATH, `./rosml` in the checkout or the set, else its path."""
     if not IN_CHECKOUT:
@@ -128,7 +132,7 @@ def call(folder: Path | None = None) -> str:
     home = MATRIX.parent if MATRIX.name == "set.yaml" else ROOT
     script = home / "rosml"
     with contextlib.suppress(OSError):  # the current folder may be gone
-        if (folder or Path.cwd()).samefile(home):
+        if (folder or Path(os.environ.get(CALLED_IN) or Path.cwd())).samefile(home):
             return "./rosml"
         if (program := shutil.which("rosml")) and Path(program).samefile(script):
             return "rosml"

@@ -13,9 +13,8 @@ from rosml import __version__
 from rosml.base import terminal
 from rosml.base.environment import LACKING
 from rosml.base.errors import RosmlError
-from rosml.cli import command, completion
+from rosml.cli import MODULES, SECTIONS, command, completion
 from rosml.cli.checkout import Command, Group
-from rosml.cli.sections import MODULES, SECTIONS
 
 TRIED = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "scanner", "signer")} | {
     "up": "rosml setup",

@@ -25,7 +25,8 @@ from conftest import ROOT, SMALL
 import rosml
 from fakes.http_registry import local_registry
 from rosml.base import environment, project_addresses
-from rosml.cli import checkout, command, main
+from rosml.cli import checkout, main
+from rosml.cli.command import as_called, call
 from rosml.images.image_set import load
 from rosml.registry.client import Registry
 from tests.e2e import parts
@@ -105,21 +106,30 @@ def test_shells_complete(shell: str) -> None:
 def test_a_command_to_try_is_one_that_its_caller_can_call(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "/usr/bin:/bin")
     monkeypatch.chdir(ROOT)
-    assert (command.call(), command.call(tmp_path)) == ("./rosml", f"{ROOT}/rosml")
+    assert (call(), call(tmp_path)) == ("./rosml", f"{ROOT}/rosml")
     monkeypatch.chdir(tmp_path)
-    assert (command.call(), command.call(ROOT)) == (f"{ROOT}/rosml", "./rosml")
+    assert (call(), call(ROOT)) == (f"{ROOT}/rosml", "./rosml")
     (tmp_path / "rosml").symlink_to("/bin/true")
     monkeypatch.setenv("PATH", str(tmp_path))
-    assert command.call() == f"{ROOT}/rosml", "that is another one"
+    assert call() == f"{ROOT}/rosml", "that is another one"
     (tmp_path / "rosml").unlink()
     (tmp_path / "rosml").symlink_to(ROOT / "rosml")
-    assert command.call() == "rosml"
+    assert call() == "rosml"
     (tmp_path / "my set").mkdir()
-    monkeypatch.setattr(command, "MATRIX", tmp_path / "my set/set.yaml")
+    monkeypatch.setattr("rosml.cli.command.MATRIX", tmp_path / "my set/set.yaml")
     (tmp_path / "my set/rosml").touch()
-    assert command.call() == f"'{tmp_path}/my set/rosml'"
-    monkeypatch.setattr(command, "IN_CHECKOUT", False)
-    assert command.call() == "rosml"
+    assert call() == f"'{tmp_path}/my set/rosml'"
+    monkeypatch.setattr("rosml.cli.command.IN_CHECKOUT", False)
+    assert call() == "rosml"
+
+
+def test_setup_names_the_command_as_its_caller_calls_it() -> None:
+    """It works in the checkout, wherever it was called."""
+    for folder, program in ((Path("/"), f"{ROOT}/rosml"), (ROOT, "./rosml")):
+        words = [sys.executable, str(ROOT / "scripts/bootstrap.py"), "status", "--nonsense"]
+        env = {**os.environ, "PATH": ABSOLUTE}
+        done = subprocess.run(words, cwd=folder, env=env, capture_output=True, text=True, check=False)
+        assert f"Try '{program} setup status --help' for help." in done.stderr
 
 
 @pytest.mark.parametrize(
@@ -140,9 +150,9 @@ def test_a_message_names_the_command_as_its_reader_calls_it(
     text: str, called: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(ROOT)
-    assert command.as_called(text) == called
-    monkeypatch.setattr(command, "IN_CHECKOUT", False)
-    assert command.as_called(text) == called.replace("./rosml", "rosml")
+    assert as_called(text) == called
+    monkeypatch.setattr("rosml.cli.command.IN_CHECKOUT", False)
+    assert as_called(text) == called.replace("./rosml", "rosml")
 
 
 @pytest.mark.parametrize(

@@ -110,6 +110,8 @@ START = """\
 import os, sys
 from pathlib import Path
 from rosml.run import host
+from rosml.cli import command
+command.IN_CHECKOUT = False
 host.ROOT, sys.argv = Path(sys.argv[1]), ["rosml", *sys.argv[2:]]
 if uid := os.environ.get("DESK_UID", ""):
     from dataclasses import replace
@@ -118,7 +120,7 @@ if uid := os.environ.get("DESK_UID", ""):
 from rosml.cli.main import run
 sys.exit(run())
 """
-"""Starts rosml with another folder in the place of /, and as somebody else for whom the container runs, if DESK_UID says so."""
+"""Starts rosml as an installed command, with another folder in the place of /, and as somebody else for whom the container runs, if DESK_UID says so."""
 
 
 BARE = Host(Path("/dev/null/nothing"))

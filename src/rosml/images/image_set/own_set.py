@@ -10,7 +10,6 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import combinations
-from rosml.images.matrix.model import Matrix
 
 SET, COMMAND, WORKFLOW, NIGHT = "set.yaml", "rosml", ".github/workflows/images.yml", "night.sh"
 
