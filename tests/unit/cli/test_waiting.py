@@ -14,7 +14,7 @@ from click.testing import CliRunner
 from conftest import ROOT
 
 from rosml.cli.images import explain, listing
-from rosml.cli.main import MODULES
+from rosml.cli import MODULES
 from rosml.images.image_set import expand, load, lock_file
 
 HEAVY = {

@@ -8,7 +8,7 @@ import os
 import re
 import shlex
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -40,7 +40,7 @@ UNNAMED = (
 )
 """What to say where rosml is installed, and nobody said where base images are."""
 
-UNCONFIRMED = ".env of the repository names the registry {}, and nobody has confirmed it: the files do not"
+UNCONFIRMED = "{} of the repository names the registry {}, and nobody has confirmed it: the files do not"
 
 
 @dataclass(frozen=True)
@@ -124,26 +124,34 @@ def _begin(call: Call, folder: Path) -> None:
 
     registry, push_to = forge.place_of(call.registry), forge.place_of(call.push_to)
     image_set = load.load(call.matrix, ROOT)
-    scan = packages.find(folder, libraries.words(image_set.matrix))
     env, broken = folders.env(folder)
+    scan = packages.find(folder, libraries.words(image_set.matrix), env)
     ask = _asker(call, scan)
-    proposed = "" if registry else _registry_of(env, image_set)
-    place = _confirmed(proposed) if proposed and ask is _ask else registry
+    locked = "" if env.get("BASE_IMAGE") else folders.locked_base_image(folder, env)
+    proposed = "" if registry else _registry_of(env.get("BASE_IMAGE") or locked, image_set)
+    source = "the lock file" if locked else ".env"
+    place = _confirmed(proposed, source) if proposed and ask is _ask else registry
     address = own_set.address_of_rosml(call.rosml)
     wishes = Wishes(call.distribution, call.component, call.framework, call.accelerator, call.gpu, call.command)
-    decision = choices.decide(Situation(image_set, scan, wishes, _surroundings(folder, env), ask))
+    decision = choices.decide(Situation(image_set, scan, wishes, _surroundings(folder, env, locked), ask))
     ci = forge.choose(folder, forge.CiWishes(call.ci, place, push_to, address), image_set.matrix, ask)
     name = file_texts.image_name(env.get("IMAGE_NAME") or folder.name)
     project = _project(name, scan, decision, ci, address, image_set)
+    if image_set.by_tag(locked) is decision.image and locked.rpartition("/")[0] == place:
+        project = replace(project, locked=locked)
     first = folders.compared(folder, file_texts.texts(project))
     if not call.dry_run:
         folders.write(folder, first)
-    unconfirmed = (UNCONFIRMED.format(proposed), f"--registry {proposed}, if you trust it")
+    unconfirmed = (
+        UNCONFIRMED.format(source, proposed),
+        f"--registry {proposed}, if you trust it",
+    )
     notes = [
         *_guessed(project, address, first),
         *([unconfirmed] if proposed and not place else []),
         *decision.notes,
         *_about_files(folder, env, broken, first, project),
+        *_about_lists(locked, project),
     ]
     for message, remedy in notes:
         warn(message, remedy)
@@ -156,7 +164,7 @@ def _begin(call: Call, folder: Path) -> None:
         first_files.show(first, calls, call.dry_run)
 
 
-def _surroundings(folder: Path, env: Mapping[str, str]) -> Surroundings:
+def _surroundings(folder: Path, env: Mapping[str, str], locked: str) -> Surroundings:
     from rosml.containerize.init import folder as folders
     from rosml.containerize.init.situation import Surroundings
     from rosml.run.host import host
@@ -164,7 +172,7 @@ def _surroundings(folder: Path, env: Mapping[str, str]) -> Surroundings:
 
     machine, today = host(os.environ), datetime.datetime.now(datetime.UTC).date()
     hints = tuple(folders.hints(folder, os.environ))
-    return Surroundings(today, env, hints, gpu.is_nvidia(machine), gpu.driver(machine))
+    return Surroundings(today, env, hints, gpu.is_nvidia(machine), gpu.driver(machine), locked)
 
 
 def _project(name: str, scan: FolderScan, decision: Decision, ci: Ci, address: str, image_set: ImageSet) -> Project:
@@ -189,6 +197,7 @@ def _project(name: str, scan: FolderScan, decision: Decision, ci: Ci, address: s
         images=ci.images,
         keys=decision.keys,
         addons=decision.addons,
+        additional=scan.additional,
     )
 
 
@@ -254,13 +263,12 @@ def _ask(question: Question, proposal: Choice) -> str:
             terminal.echo(f"  {error.message}; {error.remedy}", err=True)
 
 
-def _confirmed(place: str) -> str:
-    """Asks for the registry that a stranger's `.env` may have named."""
-    from rosml.containerize import inputs as app_inputs
+def _confirmed(place: str, source: str) -> str:
+    """Asks for the registry that a stranger's file may have named."""
     from rosml.containerize.init.forge import place_of
     from rosml.containerize.init.situation import Choice, Question
 
-    return _ask(Question("Registry of the base images", place_of), Choice(place, f"{app_inputs.FILE} names it"))
+    return _ask(Question("Registry of the base images", place_of), Choice(place, f"{source} names it"))
 
 
 # ---- Warnings --------------------------------------------------------------------------------------------------------
@@ -275,12 +283,11 @@ def _guessed(project: Project, address: str, first: Sequence[File]) -> Iterator[
         yield text, "name its address with --rosml, such as https://github.com/me/rosml"
 
 
-def _registry_of(env: Mapping[str, str], image_set: ImageSet) -> str:
-    """The registry and path of the base image in a `.env`; empty if it names none of our images, or no such place."""
+def _registry_of(base_image: str, image_set: ImageSet) -> str:
+    """The registry and path of the base image that a repository names; empty if it is none of our images, or at no such place."""
     from rosml.containerize.init import forge
     from rosml.registry import references
 
-    base_image = env.get("BASE_IMAGE", "")
     if not image_set.by_tag(base_image) or not references.has_registry(base_image):
         return ""
     try:
@@ -317,6 +324,19 @@ def _about_files(
         yield ".gitignore leaves out .env: who clones the repository has none", "git add --force .env"
     if not IN_CHECKOUT and not project.place:
         yield UNNAMED
+
+
+def _about_lists(locked: str, project: Project) -> Iterator[Note]:
+    """What a lock file or a list of the repository says, and the new files do not."""
+    if locked and project.base_image != locked:
+        text = f"the lock file is of the base image {locked}, and not of {project.base_image}"
+        yield text, "keep that one with --base-image, or write the lock file again: rosml containerize --lock"
+    from rosml.base.problems import listed
+
+    own = project.additional.get("additional-pip-file", "")
+    if own and project.pip and own not in project.pip:
+        text = f"rosml containerize reads {own}, and not {listed(project.pip)}"
+        yield text, f"write their lines into {own}"
 
 
 # ---- What comes next -------------------------------------------------------------------------------------------------

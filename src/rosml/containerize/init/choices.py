@@ -88,7 +88,7 @@ def _component(situation: Situation, row: str) -> Choice:
         raise RosmlError(text, f"take {listed(available, 'or')}", exit_code=2)
 
     if (before := situation.before(row)) and before.component in available:
-        proposal = Choice(before.component, BY_ENV)
+        proposal = Choice(before.component, situation.by_repository)
     else:
         proposal = Choice(FLOATING if FLOATING in available else available[0], reason)
         needs = {key: package for package in situation.scan.packages for key in package.needs}

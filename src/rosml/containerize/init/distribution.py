@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator, Sequence
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.containerize.init import framework, synonyms
-from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, settle
+from rosml.containerize.init.situation import Choice, Note, Question, Situation, settle
 from rosml.containerize.packages.manifest import Package
 from rosml.images.matrix import support
 
@@ -85,7 +85,7 @@ def _read(situation: Situation, answer: str, best: Sequence[str]) -> str:
 def _proposed(situation: Situation, best: Sequence[str]) -> Choice:
     """The one of `.env`, else the one that files and branches name, else the best that has the framework."""
     if before := next(filter(None, map(situation.before, best)), None):
-        return Choice(before.distribution, BY_ENV)
+        return Choice(before.distribution, situation.by_repository)
     living = [name for name in best if not has_ended(situation, name)] or list(best)
     for words, source in situation.surroundings.hints:
         for name in living:

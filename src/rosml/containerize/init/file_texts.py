@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 import re
 import shlex
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 
 from rosml.base.errors import RosmlError
 from rosml.containerize import ignored_files
@@ -35,7 +35,8 @@ AS_IT_IS = ("command",)
 @dataclass(frozen=True)
 class Project:
     """What the files say. `place` is the registry with the path before the base image's `tag`, empty if only this machine has it; `images`
-    is where CI pushes, empty for the repository's own place. `source` and `revision` are rosml's on that forge. Paths are relative."""
+    is where CI pushes, empty for the repository's own place. `source` and `revision` are rosml's on that forge. Paths are relative. `locked`
+    is the base image as the lock file names it, if it is this one."""
 
     name: str
     tag: str
@@ -54,9 +55,13 @@ class Project:
     images: str = ""
     keys: tuple[str, ...] = ()
     addons: tuple[str, ...] = ()
+    additional: Mapping[str, str] = field(default_factory=dict)
+    locked: str = ""
 
     @property
     def base_image(self) -> str:
+        if self.locked:
+            return self.locked
         return f"{self.place}/{self.tag}" if self.place else self.tag
 
     @property
@@ -100,7 +105,7 @@ def texts(project: Project) -> dict[str, str]:
 
 def _require_lines(project: Project) -> None:
     for value in vars(project).values():
-        for text in value if isinstance(value, tuple) else (value,):
+        for text in [*value.values()] if isinstance(value, dict) else value if isinstance(value, tuple) else (value,):
             if isinstance(text, str) and (odd := re.search(r"[\x00-\x1f\x7f\x85\u2028\u2029]", text)):
                 message = f"{text[:100]!a} has the character {odd[0]!a}, and a file has one line for it"
                 raise RosmlError(message, "rename it in the repository", exit_code=2)
@@ -134,7 +139,10 @@ def variables(project: Project) -> dict[str, str]:
     values = {"BASE_IMAGE": project.base_image, "COMMAND": project.command, "IMAGE_NAME": project.name}
     if project.addons:
         values["ADDONS"] = ",".join(project.addons)
-    if project.pip and app_inputs.default("additional-pip-file") not in project.pip:
+    for name, path in project.additional.items():
+        if path != app_inputs.default(name):
+            values[name.upper().replace("-", "_")] = path
+    if project.pip and project.additional.get("additional-pip-file", project.pip[0]) in project.pip:
         values["ADDITIONAL_PIP_FILE"] = project.pip[0]
         if len(project.pip) > 1:
             values |= {"ADDITIONAL_PIP_FILE": PIP, "ENABLE_RECURSIVE_ADDITIONAL_PIP": "true"}
@@ -226,8 +234,8 @@ def _source_stages(project: Project) -> Iterator[list[str]]:
         yield ["FROM scratch AS sources", "COPY --from=upstream /upstream /src/upstream", "COPY . /src/target"]
     else:
         yield ["FROM scratch AS sources", "COPY . /src/target"]
-    pip_names = sorted({file.rpartition("/")[2] for file in project.pip})
-    kept = " ".join(f"! -name {shlex.quote(name)}" for name in ("package.xml", "*_IGNORE", *pip_names))
+    names = sorted({file.rpartition("/")[2] for file in (*_pip(project), *_debs(project))})
+    kept = " ".join(f"! -name {shlex.quote(name)}" for name in ("package.xml", "*_IGNORE", *names))
     yield [
         "# Only the files that name dependencies: a change of any other file installs nothing again.",
         "FROM ${BASE_IMAGE} AS manifests",
@@ -236,9 +244,28 @@ def _source_stages(project: Project) -> Iterator[list[str]]:
     ]
 
 
+def _pip(project: Project) -> list[str]:
+    return list(dict.fromkeys((*project.pip, *_list_of(project, "additional-pip-file"))))
+
+
+def _debs(project: Project) -> list[str]:
+    return _list_of(project, "additional-debs-file")
+
+
+def _list_of(project: Project, name: str) -> list[str]:
+    return [project.additional[name]] if name in project.additional else []
+
+
 def _of_docker(path: str) -> str:
     """A path in COPY, of which Docker expands variables."""
     return re.sub(r"([\\$])", r"\\\1", path)
+
+
+_COMMENTS = "'s/(^|[[:space:]])#.*//'"
+
+
+def _copied(file: str) -> str:
+    return shlex.quote(f"/run/src/target/{file}")
 
 
 def _install(project: Project, options: str) -> str:
@@ -250,7 +277,11 @@ def _install(project: Project, options: str) -> str:
         "apt-get update",
         update,
         f"rosdep install --from-paths /run/src --ignore-src -y{options}{skipped}",
-        *(f"pip install -r {shlex.quote(f'/run/src/target/{file}')}" for file in project.pip),
+        *(
+            f"sed -E {_COMMENTS} {_copied(file)} | xargs -r apt-get install -y --no-install-recommends"
+            for file in _debs(project)
+        ),
+        *(f"pip install -r {_copied(file)}" for file in _pip(project)),
     ]
     return " \\\n    ".join([f"RUN {mounts[0]}", *mounts[1:], " \\\n && ".join(steps)])
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.containerize import env_file
+from rosml.containerize import env_file, lock
 from rosml.containerize import inputs as app_inputs
 from rosml.containerize.init.file_texts import DOCKERFILE, GITLAB
 
@@ -27,6 +27,15 @@ def env(folder: Path) -> tuple[dict[str, str], tuple[str, str] | None]:
         return env_file.read(folder / app_inputs.FILE), None
     except RosmlError as error:
         return {}, (error.message, error.remedy)
+
+
+def locked_base_image(folder: Path, env: Mapping[str, str]) -> str:
+    """The base image of its lock file, as that names it; empty if there is none, or one that `rosml containerize` refuses."""
+    with contextlib.suppress(RosmlError):
+        file = lock.place(folder, env.get("LOCK_FILE") or app_inputs.default("lock-file"), renew=False)
+        content = lock.read(file, folder)
+        return content.base_image.name if content else ""
+    return ""
 
 
 def hints(folder: Path, environment: Mapping[str, str]) -> Iterator[tuple[frozenset[str], str]]:

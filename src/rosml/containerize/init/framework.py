@@ -8,7 +8,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.containerize.init import synonyms
 from rosml.containerize.init.libraries import CUPY
-from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Situation, settle
+from rosml.containerize.init.situation import Choice, Note, Question, Situation, settle
 from rosml.images.image_set import explain
 from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import Matrix
@@ -34,7 +34,7 @@ def choose(situation: Situation, distribution: str, component: str) -> tuple[Cho
 
     before = situation.before(distribution)
     follows_env = before and (before.stack or not situation.asks_for_gpu)
-    proposal = Choice(before.framework, BY_ENV) if before and follows_env else needed(situation)
+    proposal = Choice(before.framework, situation.by_repository) if before and follows_env else needed(situation)
     notes: list[Note] = []
     if proposal.value not in available and not wish:
         notes = [(why_not(proposal.value), "take another distribution, or install it in the image")]
@@ -112,7 +112,7 @@ def choose_stack(situation: Situation, distribution: str, component: str, framew
         return Choice("", "an image without a framework fits every machine")
     before = situation.before(distribution)
     if before and before.framework == framework and before.stack in usable:
-        proposal = Choice(before.stack, BY_ENV)
+        proposal = Choice(before.stack, situation.by_repository)
     else:
         images = {name: names.image_target(distribution, component, framework, name) for name in usable}
         locked = [name for name in usable if situation.image_set.by_target[images[name]].locked]

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from rosml.base import files
-from rosml.containerize import within
+from rosml.containerize import inputs, within
 from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.packages import manifest, workspace
 from rosml.containerize.packages.manifest import Package
@@ -29,6 +29,9 @@ PIP = "requirements.txt"
 
 REPOS = ".repos"
 
+ADDITIONAL = ("additional-debs-file", "additional-pip-file", "blacklisted-packages-file")
+"""Inputs that name a list in the repository, as docker-ros has them."""
+
 Libraries = Mapping[str, Collection[str]]
 """Names of libraries, and the words by which manifests and sources name each, in small letters."""
 
@@ -44,16 +47,19 @@ class Mention:
 
 @dataclass(frozen=True)
 class FolderScan:
-    """What a folder has. `pip` are files of requirements, `repos` lists of upstream repositories, relative to it."""
+    """What a folder has. `pip` are files of requirements, `repos` lists of upstream repositories, `additional` those of the inputs
+    `ADDITIONAL`; all relative to it."""
 
     packages: tuple[Package, ...]
     mentions: Mapping[str, Mention] = field(default_factory=dict)
     pip: tuple[str, ...] = ()
     repos: tuple[str, ...] = ()
+    additional: Mapping[str, str] = field(default_factory=dict)
 
 
-def find(folder: Path, libraries: Libraries) -> FolderScan:
-    """Finds the packages of a folder, as `rosml containerize` does, and where they mention libraries."""
+def find(folder: Path, libraries: Libraries, env: Mapping[str, str] | None = None) -> FolderScan:
+    """Finds the packages of a folder, as `rosml containerize` does, and where they mention libraries. `env` has the variables of its
+    `.env`."""
     ignored = IgnoredFiles(folder)
     manifests = manifest.read(folder, ignored)
     if not manifests:
@@ -65,13 +71,31 @@ def find(folder: Path, libraries: Libraries) -> FolderScan:
     budget = iter(range(MOST_FILES))
     packages = tuple(_scanned(package, folder, ignored, mentions, budget) for package, _ in manifests)
     paths = dict.fromkeys([Path(PIP), *(package.folder / PIP for package in packages)])
-    pip = [str(path) for path in paths if (folder / path).is_file() and within.is_inside(folder / path, folder)]
-    pip = [name for name in pip if name.isprintable()]
+    pip = [str(path) for path in paths if _is_list(folder, str(path))]
     if PIP in pip:
-        _read(folder / PIP, PIP, mentions)
+        _read(folder / PIP, PIP, mentions, _REQUIREMENTS)
+    additional = _additional(folder, env or {})
+    for name, pattern in (("additional-pip-file", _REQUIREMENTS), ("additional-debs-file", _DEBS)):
+        if (path := additional.get(name, PIP)) not in pip:
+            _read(folder / path, path, mentions, pattern)
     lists = (file for file in _files(folder, ignored) if REPOS in (file.suffix, file.name))
     repos = sorted(name for file in lists if (name := str(file.relative_to(folder))).isprintable())
-    return FolderScan(packages, mentions, tuple(pip), tuple(repos))
+    return FolderScan(packages, mentions, tuple(pip), tuple(repos), additional)
+
+
+def _is_list(folder: Path, name: str) -> bool:
+    return (folder / name).is_file() and within.is_inside(folder / name, folder) and name.isprintable()
+
+
+def _additional(folder: Path, env: Mapping[str, str]) -> dict[str, str]:
+    """The lists that `.env` names, or docker-ros reads, or that lie at the top with docker-ros' name."""
+    lists = dict[str, str]()
+    for name in ADDITIONAL:
+        usual = inputs.default(name)
+        places = (env.get(name.upper().replace("-", "_"), ""), usual, Path(usual).name)
+        if path := next((place for place in places if place and _is_list(folder, place)), ""):
+            lists[name] = path
+    return lists
 
 
 class _Mentions(dict[str, Mention]):
@@ -109,11 +133,11 @@ def _scanned(
     return replace(package, languages=ordered, launches=tuple(sorted(launches)), scripts=tuple(scripts))
 
 
-def _read(file: Path, path: str, mentions: _Mentions) -> str:
+def _read(file: Path, path: str, mentions: _Mentions, patterns: tuple[re.Pattern[str], ...] | None = None) -> str:
     text = ""
     with contextlib.suppress(OSError):
         text = files.limited(file, LARGEST).decode("utf-8", "replace")
-    for match in (match for pattern in _patterns(file) for match in pattern.finditer(text)):
+    for match in (match for pattern in patterns or _patterns(file) for match in pattern.finditer(text)):
         for word in match[1].split(","):
             mentions.add(word.strip().partition(" ")[0], text, match.start(1), path)
     return text
@@ -142,13 +166,12 @@ _PYTHON = (
 _INCLUDES = (re.compile(r'^[ \t]*#[ \t]*include[ \t]*[<"]([^/>"\n]+)', re.MULTILINE),)
 _CMAKE = (re.compile(r"^[ \t]*find_package[ \t]*\([ \t]*(\w+)", re.MULTILINE | re.IGNORECASE),)
 _REQUIREMENTS = (re.compile(r"^([A-Za-z][\w.-]*)(?=[ \t]*(?:$|[<>=~!;\[#]))", re.MULTILINE),)
+_DEBS = (re.compile(r"^[ \t]*([a-z0-9][a-z0-9.+-]*)", re.MULTILINE),)
 _INSTALLED = (re.compile(r"""["']([A-Za-z][\w.-]*)(?:[<>=~!;\[][^"'\n]*)?["'][ \t]*[,\]\n]"""),)
 
 
 def _patterns(file: Path) -> tuple[re.Pattern[str], ...]:
     """How a file names libraries; none if it names none."""
-    if file.name == PIP:
-        return _REQUIREMENTS
     if file.name in _SETUP:
         return _INSTALLED
     if file.name == workspace.PLAIN or file.suffix == ".cmake":

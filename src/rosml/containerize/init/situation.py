@@ -11,6 +11,7 @@ from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix.model import Matrix
 
 BY_ENV = ".env says so"
+BY_LOCK = "the lock file is of it"
 BY_USER = "you ask for it"
 
 Note = tuple[str, str]
@@ -58,13 +59,15 @@ class Wishes:
 
 @dataclass(frozen=True)
 class Surroundings:
-    """This machine and the folder's repository. `hints` are words that may name a distribution, the most telling first, with their source."""
+    """This machine and the folder's repository. `hints` are words that may name a distribution, the most telling first, with their source.
+    `locked` is the base image of its lock file."""
 
     today: datetime.date
     env: Mapping[str, str] = field(default_factory=dict)
     hints: tuple[tuple[frozenset[str], str], ...] = ()
     nvidia: bool = False
     driver: str = ""
+    locked: str = ""
 
 
 @dataclass(frozen=True)
@@ -80,9 +83,14 @@ class Situation:
         return self.image_set.matrix
 
     def before(self, distribution: str) -> Image | None:
-        """The base image that `.env` names, if it is of this distribution."""
-        image = self.image_set.by_tag(self.surroundings.env.get("BASE_IMAGE", ""))
+        """The base image that `.env` or the lock file names, if it is of this distribution."""
+        image = self.image_set.by_tag(self.surroundings.env.get("BASE_IMAGE") or self.surroundings.locked)
         return image if image and image.distribution == distribution else None
+
+    @property
+    def by_repository(self) -> str:
+        """Why a choice follows `before`."""
+        return BY_ENV if self.surroundings.env.get("BASE_IMAGE") else BY_LOCK
 
     def is_gpu(self, stack: str) -> bool:
         return bool(self.matrix.stacks[stack].cuda)

@@ -48,6 +48,69 @@ def ci_inputs(folder: Path, forge: str = "github") -> dict[str, Any]:
     return dict(step["with" if forge == "github" else "inputs"])
 
 
+# ---- What the repository says already --------------------------------------------------------------------------------
+
+
+LOCKED = {"name": "ghcr.io/me/rosml/ros-torch:latest", "digest": f"sha256:{'1' * 64}"}
+
+
+@pytest.mark.parametrize("words", [REGISTRY, [*REGISTRY, "--distribution", "jazzy"]])
+def test_the_base_image_of_a_lock_file_stays(tmp_path: Path, words: list[str]) -> None:
+    """Spelled as there: another name of the same image would not fit the lock file."""
+    write(tmp_path, {"containerize.lock": json.dumps({"base_image": LOCKED})})
+    done = called(tmp_path, "--yes", *words)
+    assert values_of(tmp_path).base_image == LOCKED["name"] and "the lock file is of it" in done.stdout
+    assert f"\nARG BASE_IMAGE={LOCKED['name']}\n" in (tmp_path / "Dockerfile").read_text()
+    assert "lock file" not in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("locked", "words", "base_image"),
+    [
+        (
+            "ghcr.io/me/rosml/ros-torch:latest",
+            ["--distribution", "humble", *REGISTRY],
+            "ghcr.io/me/rosml/ros:humble-base",
+        ),
+        ("evil.example/x/ros:humble-base", [], "ros:humble-base"),
+        ("ubuntu:24.04", REGISTRY, "ghcr.io/me/rosml/ros:jazzy-base"),
+    ],
+)
+def test_another_base_image_than_that_of_the_lock_file_is_said(
+    tmp_path: Path, locked: str, words: list[str], base_image: str
+) -> None:
+    """Nobody has confirmed that a registry is trusted that the repository names."""
+    write(tmp_path, {"containerize.lock": json.dumps({"base_image": {**LOCKED, "name": locked}})})
+    errors = called(tmp_path, "--yes", *words).stderr
+    assert values_of(tmp_path).base_image == base_image
+    assert f"the lock file is of the base image {locked}, and not of {base_image}\n" in errors
+
+
+def test_lists_of_docker_ros_are_read(tmp_path: Path) -> None:
+    lists = {"docker/additional-debs.txt": "htop # a comment\n", "docker/additional-pip-requirements.txt": "torch\n"}
+    write(tmp_path / "a", {**lists, "requirements.txt": "einops\n"})
+    done = called(tmp_path / "a", "--yes")
+    assert values_of(tmp_path / "a").base_image.startswith("ros-torch:"), "a list asks for it"
+    text = (tmp_path / "a/.env").read_text()
+    assert "ADDITIONAL" not in text, "rosml containerize reads these by themselves"
+    assert "reads docker/additional-pip-requirements.txt, and not requirements.txt\n" in done.stderr
+    dockerfile = (tmp_path / "a/Dockerfile").read_text()
+    assert dockerfile.count("/run/src/target/docker/additional-debs.txt | xargs -r apt-get install ") == 2
+    assert dockerfile.count("pip install -r /run/src/target/docker/additional-pip-requirements.txt") == 2
+    [kept] = [line for line in dockerfile.splitlines() if line.startswith("RUN find /src ")]
+    assert all(f"! -name {name} " in kept for name in ("additional-debs.txt", "additional-pip-requirements.txt"))
+    at_top = {Path(name).name: text for name, text in lists.items()} | {"blacklisted-packages.txt": "leg\n"}
+    write(tmp_path / "b", {**at_top, "elsewhere/debs": "vim\n"})
+    called(tmp_path / "b", "--yes")
+    values = values_of(tmp_path / "b")
+    assert values.additional_debs_file == "additional-debs.txt"
+    assert values.additional_pip_file == "additional-pip-requirements.txt"
+    assert values.blacklisted_packages_file == "blacklisted-packages.txt"
+    write(tmp_path / "c", {**at_top, "elsewhere/debs": "vim\n", ".env": "ADDITIONAL_DEBS_FILE=elsewhere/debs\n"})
+    called(tmp_path / "c", "--yes")
+    assert "/run/src/target/elsewhere/debs | xargs" in (tmp_path / "c/Dockerfile").read_text()
+
+
 # ---- Files -----------------------------------------------------------------------------------------------------------
 
 
