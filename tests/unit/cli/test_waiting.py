@@ -13,8 +13,8 @@ import pytest
 from click.testing import CliRunner
 from conftest import ROOT
 
-from rosml.cli.images import explain, listing
 from rosml.cli import MODULES
+from rosml.cli.images import explain, listing
 from rosml.images.image_set import expand, load, lock_file
 
 HEAVY = {

@@ -333,10 +333,10 @@ def _about_lists(locked: str, project: Project) -> Iterator[Note]:
         yield text, "keep that one with --base-image, or write the lock file again: rosml containerize --lock"
     from rosml.base.problems import listed
 
-    own = project.additional.get("additional-pip-file", "")
-    if own and project.pip and own not in project.pip:
-        text = f"rosml containerize reads {own}, and not {listed(project.pip)}"
-        yield text, f"write their lines into {own}"
+    pip_list = project.additional.get("additional-pip-file", "")
+    if pip_list and project.pip and pip_list not in project.pip:
+        text = f"rosml containerize reads {pip_list}, and not {listed(project.pip)}"
+        yield text, f"write their lines into {pip_list}"
 
 
 # ---- What comes next -------------------------------------------------------------------------------------------------

@@ -6,9 +6,11 @@ import contextlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from time import monotonic
 
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import holder, turn
+from rosml.base.units import duration
 from rosml.containerize import lock
 from rosml.containerize.inputs import Values
 from rosml.containerize.names import Names
@@ -40,6 +42,20 @@ class Call:
         self.state.mkdir(parents=True, exist_ok=True)
         file, waiting = self.state / "lock", f"waiting for another call that makes {self.names.app}"
         return turn(file, lambda: self.say(f"{waiting} ({holder(file)})"))
+
+
+class Headings:
+    """The steps of a build, as the user reads them: what begins, which of all steps it is, and how long the one before it took."""
+
+    def __init__(self, call: Call, *titles: str) -> None:
+        self._say, self._titles, self._number, self._began = call.say, titles, 0, 0.0
+
+    def begin(self) -> None:
+        """Says that the next step begins."""
+        now, number = monotonic(), self._number + 1
+        took = f" (step {self._number} took {duration(now - self._began)})" if self._number else ""
+        self._say(f"step {number} of {len(self._titles)}: {self._titles[self._number]}{took}")
+        self._number, self._began = number, now
 
 
 def new_call(

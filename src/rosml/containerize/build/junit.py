@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from xml.etree import ElementTree
 
 FAILED, PRINTED = "failed", "output.log"
@@ -15,6 +15,9 @@ _WRONG = ("failures", "errors")
 
 MOST, END, NAMES, SHOWN = 1000, 1 << 16, 16, 160
 """The most failed tests to name, characters to read of a command line or output, files of a command line, and characters of a message."""
+
+_ODD = re.compile(r"""[ "'&$!`/\\]""")
+"""Characters that rostest replaces in the name of a report."""
 
 UNCOLLECTED = "collection failure"
 """pytest's message about a module that it cannot import."""
@@ -63,6 +66,7 @@ def _package(folder: Path) -> Tests:
     passed_reports: set[str] = set()
     failed_reports: set[str] = set()
     ctest: list[ElementTree.Element] = []
+    launched: dict[str, set[str]] = {}
     for path in sorted(path for path in folder.rglob("*.xml") if path.is_file()):
         try:
             root = ElementTree.parse(path).getroot()
@@ -78,11 +82,21 @@ def _package(folder: Path) -> Tests:
         for element in root.iter():  # some programs write JUnit files with a namespace
             if isinstance(element.tag, str):
                 element.tag = element.tag.rpartition("}")[2]
-        tests = _junit(root, folder.name)
-        (failed_reports if tests.failures else passed_reports).add(f"/{folder.name}/{path.relative_to(folder)}")
+        tests, report = _junit(root, folder.name), f"/{folder.name}/{path.relative_to(folder)}"
+        (failed_reports if tests.failures else passed_reports).add(report)
+        launched[report] = _launched(root, PurePosixPath(report))
         results.append(tests)
+    failed_reports |= {report for report, others in launched.items() if others & failed_reports}
     results += [_ctest(test, folder.name, passed_reports, failed_reports) for test in ctest]
     return total(results)
+
+
+def _launched(root: ElementTree.Element, report: PurePosixPath) -> set[str]:
+    """The reports of the tests that a rostest launched, by the names that rostest gives them. Its own report says that they ran."""
+    if not report.name.startswith("rostest-"):
+        return set()
+    names = [case.get("name", "").removeprefix("test") for case in root.iter("testcase")]
+    return {str(report.with_name(f"rosunit-{_ODD.sub('_', name)}.xml")) for name in names[:MOST]}
 
 
 def _unreadable(path: Path, folder: Path, why: str) -> Tests:

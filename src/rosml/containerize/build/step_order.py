@@ -6,7 +6,7 @@ import time
 from dataclasses import replace
 
 from rosml.containerize.build import bases, contexts, result, stages, verdict
-from rosml.containerize.build.call import Call, new_call
+from rosml.containerize.build.call import Call, Headings, new_call
 from rosml.containerize.build.result import Result, ShellImage
 from rosml.containerize.names import DESK
 from rosml.machine import buildx
@@ -18,6 +18,9 @@ def build_images(call: Call) -> Result:
     """Builds, tests and joins the images of an app."""
     with call.turn():
         started, waited = time.monotonic(), buildx.waited()
+        work = f"build {'and test ' * (call.values.tests)}the packages"
+        headings = Headings(call, "find the base image, fetch sources", work, "join the images")
+        headings.begin()
         followed_lock = bases.read_lock(call)
         base = bases.find(call, followed_lock)
         verdict.require_kept_platforms(call)
@@ -28,6 +31,7 @@ def build_images(call: Call) -> Result:
         verdict.require_same_addons(followed_lock, call.values.addons, base, slim)
         verdict.require_allowed(call, base, slim)
         inputs = contexts.write(call, base, slim, followed_lock)
+        headings.begin()
         with stages.open_cache(call) as cache:
             chosen = stages.choose(call, inputs, followed_lock, cache)
             packages = stages.earlier_build(chosen, cache)
@@ -40,6 +44,7 @@ def build_images(call: Call) -> Result:
                     cache.keep(chosen.keys, packages.outcome, packages.tests.target, packages.details())
             unstarted = verdict.require_started(call, packages.outcome, inputs.targets)
             lock = result.lock_of(call, chosen.recipe.inputs, packages.outcome, fetched, followed_lock)
+            headings.begin()
             images = stages.join_images(chosen, packages.outcome, lock)
             described = stages.attach_contents(call, images, packages, fetched.upstream)
         return Result(
@@ -62,6 +67,8 @@ def build_images(call: Call) -> Result:
 def build_shell_image(call: Call) -> ShellImage:
     """Builds the image for `rosml dev`: the environment of the packages, with debuggers. The packages are not built."""
     with call.turn():
+        headings = Headings(call, "find the base image, fetch sources", "install what the packages need")
+        headings.begin()
         followed_lock = bases.read_lock(call)
         base = bases.find(call, followed_lock)
         fetched = contexts.fetch(call, followed_lock)
@@ -70,6 +77,7 @@ def build_shell_image(call: Call) -> ShellImage:
         inputs = contexts.write(call, base, None, followed_lock)
         # It is the same image for each commit: a new one would be no reason to leave a container that runs.
         inputs = replace(inputs, targets=(DESK,), time=contexts.TIME)
+        headings.begin()
         with stages.open_cache(call) as cache:
             chosen = stages.choose(call, inputs, followed_lock, cache)
         image = stages.build_shell_image(chosen)

@@ -50,6 +50,31 @@ def test_images_are_joined_after_the_report_is_read(robot: Robot) -> None:
     assert dev["dockerfile-inline"].splitlines()[1] == "FROM workspace"
 
 
+def test_each_step_has_a_heading_with_the_time_of_the_one_before(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
+    robot.put()
+    clock = iter(range(0, 1000, 7))
+    monkeypatch.setattr("rosml.containerize.build.call.monotonic", lambda: next(clock))
+
+    def headings() -> list[str]:
+        lines = [re.sub(r"\d+\.0 s", "N s", line) for line in robot.messages if line.startswith("step ")]
+        robot.messages.clear()
+        return lines
+
+    robot.build()
+    assert robot.messages[:2] == [
+        "step 1 of 3: find the base image, fetch sources",
+        robot.messages_with("base image")[1],
+    ]
+    assert headings()[1:] == [
+        "step 2 of 3: build and test the packages (step 1 took N s)",
+        "step 3 of 3: join the images (step 2 took N s)",
+    ]
+    robot.build(tests="false")
+    assert headings()[1].startswith("step 2 of 3: build the packages (")
+    step_order.build_shell_image(robot.call())
+    assert headings()[1].startswith("step 2 of 2: install what the packages need (")
+
+
 def test_json_has_the_fields_of_the_result_and_of_its_outcome(robot: Robot) -> None:
     fields = json.loads(json.dumps(robot.build().to_json()))
     image = {"target": "run", "reference": f"{robot.services.registry}/robot:latest", "digest": "sha256:1"}

@@ -118,3 +118,21 @@ def test_tests_of_ctest_count_if_no_junit_file_has_them(folder: Path) -> None:
     (folder / "robot/Testing/1/Test.xml").write_text(CTEST)
     (folder / "robot/b.xml").write_text('<testsuite><testcase name="good"/></testsuite>')
     assert read(folder, SUITE) == junit.Tests(4 + 4, 1 + 1, (BAD, "robot: bad: last", "robot: c: SEGFAULT"))
+
+
+def test_a_failed_test_of_a_rostest_is_told_once(folder: Path) -> None:
+    """By the report of the test itself. rostest's own report says that it ran, and CTest that rostest ended with 2."""
+    reports = folder / "robot/test_results/robot"
+    reports.mkdir(parents=True)
+    launcher = '<testsuite><testcase classname="rostest.runner.RosTest" name="testnear home"/></testsuite>'
+    (reports / "rostest-test_home.xml").write_text(launcher)
+    (reports / "rosunit-near_home.xml").write_text(
+        '<testsuite><testcase classname="Home" name="near"><failure message="too far"/></testcase></testsuite>'
+    )
+    command = 'run_tests.py "/ws/build/robot/test_results/robot/rostest-test_home.xml" "rostest home.test"'
+    (folder / "robot/Test.xml").write_text(
+        f"<Site><TestList/><Test Status='failed'><Name>home</Name><FullCommandLine>{command}</FullCommandLine></Test></Site>"
+    )
+    assert junit.read(folder).failures == ("robot: Home.near: too far",)
+    (reports / "rosunit-near_home.xml").write_text("<testsuite><testcase name='near'/></testsuite>")
+    assert junit.read(folder).failures == ("robot: home",), "another reason, which no report has"
