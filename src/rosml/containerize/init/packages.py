@@ -76,7 +76,7 @@ def find(folder: Path, libraries: Libraries, env: Mapping[str, str] | None = Non
         _read(folder / PIP, PIP, mentions, _REQUIREMENTS)
     additional = _additional(folder, env or {})
     for name, pattern in (("additional-pip-file", _REQUIREMENTS), ("additional-debs-file", _DEBS)):
-        if (path := additional.get(name, PIP)) not in pip:
+        if (path := additional.get(name)) and path not in pip:
             _read(folder / path, path, mentions, pattern)
     lists = (file for file in _files(folder, ignored) if REPOS in (file.suffix, file.name))
     repos = sorted(name for file in lists if (name := str(file.relative_to(folder))).isprintable())
@@ -84,15 +84,18 @@ def find(folder: Path, libraries: Libraries, env: Mapping[str, str] | None = Non
 
 
 def _is_list(folder: Path, name: str) -> bool:
-    return (folder / name).is_file() and within.is_inside(folder / name, folder) and name.isprintable()
+    try:
+        return (folder / name).is_file() and within.is_inside(folder / name, folder) and name.isprintable()
+    except OSError:  # such as a name that is too long
+        return False
 
 
 def _additional(folder: Path, env: Mapping[str, str]) -> dict[str, str]:
     """The lists that `.env` names, or docker-ros reads, or that lie at the top with docker-ros' name."""
     lists = dict[str, str]()
     for name in ADDITIONAL:
-        usual = inputs.default(name)
-        places = (env.get(name.upper().replace("-", "_"), ""), usual, Path(usual).name)
+        usual, of_env = inputs.default(name), env.get(name.upper().replace("-", "_"))
+        places = (usual, Path(usual).name) if of_env is None else (of_env,)
         if path := next((place for place in places if place and _is_list(folder, place)), ""):
             lists[name] = path
     return lists

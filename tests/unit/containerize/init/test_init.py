@@ -109,6 +109,12 @@ def test_lists_of_docker_ros_are_read(tmp_path: Path) -> None:
     write(tmp_path / "c", {**at_top, "elsewhere/debs": "vim\n", ".env": "ADDITIONAL_DEBS_FILE=elsewhere/debs\n"})
     called(tmp_path / "c", "--yes")
     assert "/run/src/target/elsewhere/debs | xargs" in (tmp_path / "c/Dockerfile").read_text()
+    (tmp_path / "secret").write_text("torch\n")
+    write(tmp_path / "d", {".env": f"ADDITIONAL_PIP_FILE=../secret\nADDITIONAL_DEBS_FILE={'x' * 999}\n"})
+    (tmp_path / "d/requirements.txt").symlink_to("../secret")
+    called(tmp_path / "d", "--yes")
+    assert "secret" not in (dockerfile := (tmp_path / "d/Dockerfile").read_text()) and "xargs" not in dockerfile
+    assert chosen(tmp_path / "d")["framework"] == "none", "nothing outside of the folder is read"
 
 
 # ---- Files -----------------------------------------------------------------------------------------------------------
