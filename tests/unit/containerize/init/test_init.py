@@ -113,7 +113,8 @@ def test_lists_of_docker_ros_are_read(tmp_path: Path) -> None:
     write(tmp_path / "d", {".env": f"ADDITIONAL_PIP_FILE=../secret\nADDITIONAL_DEBS_FILE={'x' * 999}\n"})
     (tmp_path / "d/requirements.txt").symlink_to("../secret")
     called(tmp_path / "d", "--yes")
-    assert "secret" not in (dockerfile := (tmp_path / "d/Dockerfile").read_text()) and "xargs" not in dockerfile
+    dockerfile = (tmp_path / "d/Dockerfile").read_text()
+    assert "secret" not in dockerfile and "xargs" not in dockerfile
     assert chosen(tmp_path / "d")["framework"] == "none", "nothing outside of the folder is read"
 
 
