@@ -41,7 +41,9 @@ GROUPS = ("app", "dev", "page")
 """Groups of Python packages, each with those before it: for the commands; for linters and tests; for the page's tests."""
 
 COMMANDS = {
-    **dict.fromkeys(("python", "up", "tools", "emulate", "client", "regctl", "scanner", "signer", "room"), "app"),
+    **dict.fromkeys(
+        ("python", "up", "tools", "emulate", "client", "regctl", "scanner", "signer", "engine", "room"), "app"
+    ),
     "linters": "dev",
     **dict.fromkeys(("suite", "browser"), "page"),
     **dict.fromkeys(("down", "status", "clean"), ""),

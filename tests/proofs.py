@@ -21,8 +21,8 @@ PROOFS = {
     "apt": Proof(6),
     # Images for arm64 under emulation; a part for arm64 without it.
     "arm64": Proof(45, needs=("emulate",)),
-    # The runtime contract of an image with TensorFlow, whoever starts it.
-    "contract": Proof(8),
+    # The runtime contract of an image with TensorFlow, whoever starts it, with a current Docker.
+    "contract": Proof(18, needs=("engine",)),
     # Images with CUDA, PyTorch and TensorFlow: their layers, and programs in Python and C++ that use all of it.
     "cuda": Proof(40),
     # Windows of desktop images: rviz by X11, and Qt by Wayland.

@@ -175,14 +175,14 @@ def record(names: list[str]) -> dict[str, Command]:
 
 
 def handed(docker: engine.Engine, reference: str) -> dict[str, str]:
-    """Variables for the engine. One that the tests started cannot pull what is compressed by zstd, so it gets the image."""
-    if not docker.host:
-        return {}
+    """Variables for the engine. An old one cannot pull what is compressed by zstd, so it gets the image."""
+    if docker.reads_zstd:
+        return dict(docker.environment)
     with tempfile.TemporaryDirectory() as folder:
-        name = docker.load(Services.load(ROOT), reference, "recording", Path(folder))
+        name = docker.image(Services.load(ROOT), reference, "recording", Path(folder))
     tagged = docker.docker("tag", name, reference)
     assert tagged.code == 0, tagged.err
-    return {"DOCKER_HOST": docker.host}
+    return dict(docker.environment)
 
 
 # ---- Comparing -------------------------------------------------------------------------------------------------------

@@ -145,13 +145,12 @@ def somebody(docker: engine.Engine) -> Iterator[Person]:
     """A person with a folder, who may talk to the engine: nobody's uid where the tests started it, or else this user."""
     folder = Path(tempfile.mkdtemp(prefix="person-"))  # pytest's own are nobody else's
     person = Person(folder, os.geteuid())
-    if docker.host:
-        socket = Path(docker.host.removeprefix("unix://"))
+    if socket := docker.socket:
         socket.chmod(0o666)
         socket.parent.chmod(0o755)
         person.uid = UID
         person.become = ["setpriv", f"--reuid={UID}", f"--regid={UID}", "--clear-groups"]
-        person.environment["DOCKER_HOST"] = docker.host
+        person.environment |= docker.environment
         os.chown(folder, UID, UID)
     yield person
     shutil.rmtree(folder)

@@ -68,7 +68,7 @@ def loaded(
             if target not in done:
                 image = published(target)
                 folder = tmp_path_factory.mktemp("load")
-                done[target] = Container(docker, docker.load(services, image.reference, target, folder))
+                done[target] = Container(docker, docker.image(services, image.reference, target, folder))
             return done[target]
 
         yield load
@@ -113,8 +113,9 @@ def test_standard_streams(container: Container, tmp_path: Path, environment: dic
     assert (done.code, done.out, done.err) == (0, "out\n", "err\n")
     (tmp_path / "setup.bash").write_text("read -r line || true\n")
     options = ("run", "--rm", "--interactive", "--network", "none", *mount(tmp_path, f"{WORKSPACE}/install"))
-    command = container.docker.command(*options, *env(environment), container.image, "cat")
-    assert subprocess.run(command, input="first\nsecond\n", capture_output=True, text=True).stdout == "first\nsecond\n"
+    command = ["docker", *options, *env(environment), container.image, "cat"]
+    variables, lines = container.docker.variables(), "first\nsecond\n"
+    assert subprocess.run(command, env=variables, input=lines, capture_output=True, text=True).stdout == lines
 
 
 @ROOT_AND_USER
@@ -536,7 +537,7 @@ def test_a_strangers_image_is_not_root(
 ) -> None:
     """It says that it makes users, and has a program of root's with the setuid bit."""
     setuid = "install -m 4755 /bin/bash /usr/bin/evil"
-    image = container.docker.load(services, published(TARGET).reference, f"{TARGET}-evil", tmp_path, setuid)
+    image = container.docker.image(services, published(TARGET).reference, f"{TARGET}-evil", tmp_path, setuid)
     words = ("--volume", ".:/mine", image, "evil", "-pc", "id -u; echo x >/mine/left")
     done = person.rosml("run", "--network", "none", *words)
     assert (done.code, done.out) == (0, f"{person.uid}\n"), done
@@ -548,3 +549,19 @@ def test_a_strangers_image_is_not_root(
 
 def test_rosml_attach_enters_the_container_of_the_folder(container: Container, person: Person) -> None:
     enters(person, container.image, "docker")
+
+
+OLD = "no Docker before 23 is here"
+
+
+def test_a_docker_that_reads_no_zstd_is_said_to_be_old(published: Publish) -> None:
+    if not engine.folder_of_daemon(debian=True):
+        pytest.skip(OLD)
+    with engine.running(debian=True) as docker:
+        if docker.reads_zstd:
+            pytest.skip(OLD)
+        with somebody(docker) as person:
+            done = person.run(published(TARGET).reference, "true")
+            assert done.code == 125 and "cannot read layers with zstd" in done.err and "update Docker" in done.err, done
+            done = person.rosml("doctor")
+            assert done.code == 1 and re.search(r"engine .*docker before version 23", done.out), done

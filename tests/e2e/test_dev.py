@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shutil
 import sys
@@ -27,8 +26,11 @@ def test_a_package_is_worked_on(published: Publish, checkout: Path, tmp_path: Pa
     # A builder without Docker makes images for the registry, whose layers an older Docker cannot read.
     use(checkout, builder_kind="user")
     with engine.running() as docker:
-        env = {**os.environ, "XDG_STATE_HOME": str(tmp_path / "state"), "XDG_CONFIG_HOME": str(tmp_path / "config")}
-        env |= {"DOCKER_HOST": docker.host} if docker.host else {}
+        env = {
+            **docker.variables(),
+            "XDG_STATE_HOME": str(tmp_path / "state"),
+            "XDG_CONFIG_HOME": str(tmp_path / "config"),
+        }
         base = ["--network", "none", "--base-image", published("ros1-bookworm-core").reference]
 
         def dev(*command: str) -> tuple[int, str]:

@@ -109,7 +109,7 @@ def test_rviz_opens_its_window(
     """As docs/run.md says: the person types the command, and nothing about windows. Without the cookie nobody gets in."""
     who, docker = person
     target = "ros1-bookworm-desktop"
-    image = docker.load(services, published(target).reference, target, tmp_path)
+    image = docker.image(services, published(target).reference, target, tmp_path)
     with display(who.folder) as environment:
         os.chown(environment["XAUTHORITY"], who.uid, who.uid)
         wait_until(lambda: "Root window id" in windows(environment), SECONDS, (who.folder / "Xvfb.log").read_text)
@@ -139,7 +139,7 @@ def test_a_window_by_wayland(
     who, docker = person
     target = "ros1-bookworm-core"
     steps = ["install-packages --no-install-recommends python3-pyqt5 qtwayland5"]
-    image = docker.load(services, published(target).reference, f"{target}-qt", tmp_path, *steps)
+    image = docker.image(services, published(target).reference, f"{target}-qt", tmp_path, *steps)
     who.environment |= {"DISPLAY": "", "WAYLAND_DISPLAY": "wayland-7"}
     with compositor(who, "wayland-7"):
         done = who.run(image, "python3", "-c", WINDOW)

@@ -48,7 +48,8 @@ class InEngine:
     def take(self, layers: Sequence[Layer]) -> Iterator[LayerBlob]:
         """Layers, while the engine writes them. What nobody asked for is dropped as it comes."""
         pending = {**{layer.diff_id: layer for layer in layers}, **{layer.digest: layer for layer in layers}}
-        with _reading(self.command, "save", self.identity) as stream:
+        # Docker's containerd store takes 64 digits alone for a name.
+        with _reading(self.command, "save", f"sha256:{self.identity}") as stream:
             for entry in archive.entries(stream, "r|", self.name):
                 if not archive.is_plain(entry):
                     continue

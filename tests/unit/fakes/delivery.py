@@ -154,7 +154,7 @@ elif words[:2] == ["image", "inspect"]:
     else:
         print(json.dumps(found))
 elif words[0] == "save":
-    shutil.copyfileobj(open(here + "/saves/" + words[1], "rb"), sys.stdout.buffer)
+    shutil.copyfileobj(open(here + "/saves/" + words[1].split("sha256:")[1], "rb"), sys.stdout.buffer)
 elif words[0] == "load":
     with open(here + "/loaded", "wb") as out:
         shutil.copyfileobj(sys.stdin.buffer, out)

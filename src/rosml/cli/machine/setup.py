@@ -167,6 +167,14 @@ def emulate() -> None:
 
 
 @main.command(hidden=True)
+def engine() -> None:
+    """Builds a current Docker Engine, in 10 minutes: tests start it if the machine has none."""
+    from rosml.machine.setup.tools import build_engine
+
+    build_engine(_installer())
+
+
+@main.command(hidden=True)
 def browser() -> None:
     """Installs Chromium if it is missing: tests open the catalogue's page in it."""
     from rosml.machine.setup.tools import browser_packages

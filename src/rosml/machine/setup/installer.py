@@ -28,15 +28,27 @@ BUILD_BYTES = 6_000_000_000
 OLDEST_GO: Version = (1, 21)
 """From this release on, Go itself fetches the newer toolchain that a go.mod requires."""
 
-GO_PROGRAMS = ("regctl", "registry", "buildx", "buildkitd", "trivy", "cosign", "actionlint", "composecheck")
+ENGINE = ("docker", "dockerd", "containerd", "containerd-shim-runc-v2", "runc")
+"""A current Docker Engine, for tests."""
+GO_PROGRAMS = ("regctl", "registry", "buildx", "buildkitd", "trivy", "cosign", "actionlint", "composecheck", *ENGINE)
 """Programs that are built from Go modules; `tools/go/<name>` pins each, with all dependencies by hash."""
 
 VERSIONS = {
-    "buildx": "github.com/docker/buildx/version.Version",
-    "buildkitd": "github.com/moby/buildkit/version.Version",
-    "trivy": "github.com/aquasecurity/trivy/pkg/version/app.ver",
+    "buildx": "github.com/docker/buildx/version.Version={}",
+    "buildkitd": "github.com/moby/buildkit/version.Version={}",
+    "trivy": "github.com/aquasecurity/trivy/pkg/version/app.ver={}",
+    "docker": "github.com/docker/cli/cli/version.Version={}",
+    "dockerd": "github.com/moby/moby/v2/dockerversion.Version=29-{}",  # the module of Docker 29 has a number of its own
 }
 """Variables that the linker sets to the version. A build in the program's own repository would know it."""
+
+FLAGS = {
+    "docker": "-gcflags=github.com/docker/cli/...=-lang=go1.26",  # its module has no go.mod, which would say so
+    "runc": "-tags=seccomp",
+}
+"""Further flags of builds."""
+C_PROGRAMS = {"runc"}
+"""Programs that need a C compiler."""
 
 
 def version_in(text: str) -> Version:
@@ -50,8 +62,11 @@ def dotted(version: Version) -> str:
 
 
 class Installer:
-    def __init__(self, state: State) -> None:
+    """`folder`: the place of the Go programs; `.state/bin` if None."""
+
+    def __init__(self, state: State, folder: Path | None = None) -> None:
         self.state = state
+        self._programs = folder or state.bin
         self.have: list[str] = []
         self._cache = ToolCache(state.cache / "tools")
 
@@ -96,12 +111,16 @@ class Installer:
         return parse_pin((self.module(name) / "go.mod").read_text())
 
     def is_built(self, name: str) -> bool:
-        """Whether a program is in ``.state/bin``, and its stamp says that it has the present pins."""
+        """Whether a program is in its folder, and its stamp says that it has the present pins."""
         stamp = self._stamp(name)
-        return (self.state.bin / name).exists() and stamp.exists() and stamp.read_text() == self._stamp_text(name)
+        return (self._programs / name).exists() and stamp.exists() and stamp.read_text() == self._stamp_text(name)
+
+    def has(self, name: str) -> bool:
+        """Whether a program need not be built: it is in its folder or in the user's cache."""
+        return self.is_built(name) or self._cache.has(name, self._stamp_text(name))
 
     def _stamp(self, name: str) -> Path:
-        return self.state.bin / f".{name}.pin"
+        return self._programs / f".{name}.pin"
 
     def _stamp_text(self, name: str) -> str:
         module = sorted(self.module(name).iterdir())
@@ -114,8 +133,7 @@ class Installer:
 
         It ignores failures: the build, which waits for its modules, reports them. Nothing runs after the block.
         """
-        unbuilt = [name for name in names if not self.is_built(name)]
-        missing = [name for name in unbuilt if not self._cache.has(name, self._stamp_text(name))]
+        missing = [name for name in names if not self.has(name)]
         go = shutil.which("go", path=self.go_path())
         if not missing or go is None:
             yield
@@ -130,19 +148,20 @@ class Installer:
             end_group(process)
 
     def go_program(self, name: str) -> str:
-        """The path of a Go program in ``.state/bin``, copied from the user's cache or built if it is missing or its pins have changed.
+        """The path of a Go program in its folder, copied from the user's cache or built if it is missing or its pins have changed.
 
         You may interrupt it: what comes has another name first, and the program's stamp comes last.
         """
-        pin, program = self.pin(name), self.state.bin / name
+        pin, program = self.pin(name), self._programs / name
         title = f"{name} {pin.version}"
         if self.is_built(name):
             self.have.append(title)
             return str(program)
+        self._programs.mkdir(parents=True, exist_ok=True)
         self._stamp(name).unlink(missing_ok=True)
-        for remainder in self.state.bin.glob(f".{name}.*.partial"):
+        for remainder in self._programs.glob(f".{name}.*.partial"):
             remainder.unlink()
-        partial = self.state.bin / f".{name}.{os.getpid()}.partial"  # the build of a killed setup may still be running
+        partial = self._programs / f".{name}.{os.getpid()}.partial"  # the build of a killed setup may still be running
         pins = self._stamp_text(name)
         if self._cache.take(name, pins, partial):
             self.have.append(f"{title} (built for another checkout)")
@@ -163,10 +182,12 @@ class Installer:
             raise RosmlError(text, "free some disk space")
         self.state.say(f"{title}: building from its Go module")
         started = time.monotonic()
-        link = f"-s -w -X {VERSIONS[name]}={pin.version}" if name in VERSIONS else "-s -w"
-        build = [go, "build", "-trimpath", "-ldflags", link, "-o", str(program), pin.package]
+        link = f"-s -w -X {VERSIONS[name].format(pin.version)}" if name in VERSIONS else "-s -w"
+        flags = ["-trimpath", "-ldflags", link, *([FLAGS[name]] if name in FLAGS else [])]
+        build = [go, "build", *flags, "-o", str(program), pin.package]
         log = self.state.log / f"build-{name}.log"
-        run(self.state.say, Call(title, build, log, self.go_environment(), self.module(name)))
+        env = {**self.go_environment(), "CGO_ENABLED": "1" if name in C_PROGRAMS else "0"}
+        run(self.state.say, Call(title, build, log, env, self.module(name)))
         self.state.say(f"{title}: built from its Go module in {duration(time.monotonic() - started)}")
 
     def go(self) -> str:
@@ -185,13 +206,13 @@ class Installer:
         return f"{self.outer_path()}{os.pathsep}/usr/local/go/bin"
 
     def go_environment(self) -> dict[str, str]:
-        """The environment of a Go build: caches in the state folder, none of the user's flags, no C compiler."""
+        """The environment of a Go build: caches in the state folder, none of the user's flags."""
         dropped = ("GOOS", "GOARCH", "GO111MODULE", "GOEXPERIMENT")
         env = {name: value for name, value in os.environ.items() if name not in dropped}
         cache = self.state.folder / "go"
         (cache / "tmp").mkdir(parents=True, exist_ok=True)
         env |= {"GOMODCACHE": str(cache / "modules"), "GOCACHE": str(cache / "build"), "GOTMPDIR": str(cache / "tmp")}
-        env |= {"GOFLAGS": "-mod=readonly -modcacherw -buildvcs=false", "GOWORK": "off", "CGO_ENABLED": "0"}
+        env |= {"GOFLAGS": "-mod=readonly -modcacherw -buildvcs=false", "GOWORK": "off"}
         if self.state.ca_bundle:
             env["SSL_CERT_FILE"] = self.state.ca_bundle
         return env

@@ -11,7 +11,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_image
 from rosml.machine.services import Services
 from rosml.machine.setup import step_network
-from rosml.machine.setup.installer import Installer, dotted, version_in, which_system
+from rosml.machine.setup.installer import ENGINE, Installer, dotted, version_in, which_system
 from rosml.machine.setup.process import output_of
 from rosml.machine.setup.state import State
 
@@ -92,6 +92,43 @@ def engine_packages(installer: Installer) -> dict[str, str]:
     return {"docker.io": "runs images for the tests of the runtime contract"}
 
 
+def kept_engine(installer: Installer) -> None:
+    """Takes a current Docker Engine for tests, if it was built before, and the machine's Docker does not answer."""
+    engine = _engine(installer.state)
+    if not docker_is_there(installer) and all(engine.has(name) for name in ENGINE):
+        _make(engine)
+
+
+def build_engine(installer: Installer) -> None:
+    """Builds a current Docker Engine for tests, if no Docker answers, which they would use. It takes minutes, and a C compiler for runc."""
+    if docker_is_there(installer):
+        installer.state.say("engine: tests use your Docker")
+        return
+    installer.debian_packages(compiler_packages())
+    engine = _engine(installer.state)
+    with engine.fetching(ENGINE):
+        _make(engine)
+    installer.drop_go_caches()
+
+
+def _engine(state: State) -> Installer:
+    """Its programs have a folder of their own: only tests may take them for the machine's."""
+    return Installer(state, state.folder / "engine")
+
+
+def _make(engine: Installer) -> None:
+    for name in ENGINE:
+        engine.go_program(name)
+    engine.report()
+
+
+def compiler_packages() -> dict[str, str]:
+    """What cgo and libseccomp's bindings need."""
+    if output_of(["pkg-config", "--modversion", "libseccomp"]) and which_system("gcc"):
+        return {}
+    return dict.fromkeys(("gcc", "libc6-dev", "libseccomp-dev", "pkg-config"), "builds runc for the tests' Docker")
+
+
 def browser_packages() -> dict[str, str]:
     if any(which_system(name) for name in BROWSERS):
         return {}
@@ -126,6 +163,8 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
                 apt.result()  # raises its failure now
             installer.go_program(name)
         apt.result()
+    if tests:
+        kept_engine(installer)
     installer.drop_go_caches()
     installer.report()
     return Services(

@@ -33,7 +33,7 @@ def state(tmp_path: Path) -> State:
 def test_every_go_program_is_pinned(name: str) -> None:
     module = ROOT / "tools" / "go" / name
     pin = programs.parse_pin((module / "go.mod").read_text())
-    assert re.fullmatch(r"v\d+\.\d+\.\d+", pin.version)
+    assert re.fullmatch(r"v\d+\.\d+\.\d+(-beta\.\d+|\+incompatible)?", pin.version)
     direct = re.search(r"^require (\S+) v", (module / "go.mod").read_text(), re.MULTILINE)
     root = direct[1] if direct and pin.package == "." else pin.package.split("/cmd/")[0]
     assert f"{root} {pin.version} h1:" in (module / "go.sum").read_text()
@@ -101,11 +101,11 @@ def bare(state: State, monkeypatch: pytest.MonkeyPatch) -> Path:
     script = f"""case $1 in
   version) echo go version go1.26.8 linux/amd64 ;;
   mod) echo "fetch $(basename $PWD)" >>{calls} ;;
-  build) echo "build $(basename $PWD)" >>{calls}; mkdir -p $GOCACHE; while [ "$1" != -o ]; do shift; done; echo >"$2" ;;
+  build) echo "build $(basename $PWD)" >>{calls}; mkdir -p $GOCACHE; while [ "$1" != -o ]; do shift; done; echo >"$2"; chmod +x "$2" ;;
 esac"""
     folder = program(state.root / "mine", "go", script).parent
     program(folder, "apt-get", f'case $* in *install*) echo "apt ${{*##*recommends }}" >>{calls} ;; esac')
-    for name in ("sh", "basename", "mkdir", "rm"):
+    for name in ("sh", "basename", "mkdir", "rm", "chmod"):
         os.symlink(str(shutil.which(name)), folder / name)
     monkeypatch.setenv("PATH", str(folder))
     monkeypatch.setattr(
@@ -138,6 +138,22 @@ def test_setup_of_a_bare_machine(state: State, bare: Path, capsys: pytest.Captur
     bare.unlink()
     tools.install(state, hub=False, tests=tests)
     assert not [call for call in bare.read_text().splitlines() if call.startswith(("build ", "fetch "))]
+
+
+def test_an_engine_that_was_built_serves_the_tests_of_other_checkouts(state: State, bare: Path) -> None:
+    tools.build_engine(Installer(state))
+    built = [f"build {name}" for name in installer.ENGINE]
+    assert [call for call in bare.read_text().splitlines() if call.startswith("build ")] == built
+    other = replace(state, root=state.root / "other")
+    shutil.copytree(state.root / "tools", other.root / "tools")
+    for folder in (other.bin, other.log, other.run):
+        folder.mkdir(parents=True)
+    tools.install(other, hub=False)
+    assert not (other.folder / "engine").exists(), "only tests need it"
+    bare.unlink()
+    tools.install(other, hub=False, tests=True)
+    assert {file.name for file in (other.folder / "engine").iterdir() if file.suffix != ".pin"} == {*installer.ENGINE}
+    assert not {*built} & {*bare.read_text().splitlines()}
 
 
 def test_missing_rights_are_reported_before_minutes_of_compiling(
