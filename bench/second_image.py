@@ -27,7 +27,7 @@ from rosml.base.units import duration, size
 from rosml.images.bake import bake_file, hcl
 from rosml.images.builds import base_images, disk
 from rosml.images.builds.maker import require_buildable
-from rosml.images.builds.push import push, pushing
+from rosml.images.builds.push import Push, push
 from rosml.images.builds.variables import sync_dates, variables
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import Image, ImageSet
@@ -271,7 +271,7 @@ class _Bench:
         sets = [f"{target}.tags="] if target == self.image.target else []
         sets += [f"{target}.contexts.ros=docker-image://{ros}"] if ros else []
         start = time.monotonic()
-        digest = push(self.services, pushing(self._call(target, sets), f"{self._prefix}/{repository}"))
+        digest = push(self.services, Push(self._call(target, sets), f"{self._prefix}/{repository}"))
         reference = f"{self._prefix}/{repository}@{digest}"
         self.pushed.append(reference)
         return reference, time.monotonic() - start

@@ -18,6 +18,7 @@ REASONS = (
     "no buildx on this machine; 'rosml setup' installs it",  # make unit does without; make test sets it up
     "no podman with a generator of units is here",
     "no Docker before 23 is here",
+    "no current Docker is here: 'rosml setup engine' builds one",
     "no xauth is here",
     "no Python as old as the oldest one of the matrix is here, nor can it be downloaded",
 )

@@ -156,11 +156,12 @@ class Engine:
 
 
 @contextmanager
-def running(debian: bool = False) -> Iterator[Engine]:
+def running(debian: bool = False, bridge: str = "none") -> Iterator[Engine]:
     """The machine's own Docker, or a daemon that lives as long as this: without a bridge, it would remove that of another.
 
     Args:
         debian: Debian's docker.io, however old it is, if one is started.
+        bridge: the name of one that is made for it, as its build steps need one.
     """
     if version({}):
         yield Engine()
@@ -169,7 +170,10 @@ def running(debian: bool = False) -> Iterator[Engine]:
     assert programs, missing()
     folder = Path(tempfile.mkdtemp(prefix="dockerd-"))  # short: sockets are in it
     config = folder / "daemon.json"
-    settings = {"bridge": "none", "iptables": False, "ip6tables": False, "ip-masq": False, "userland-proxy": False}
+    settings = {"bridge": bridge, "iptables": False, "ip6tables": False, "ip-masq": False, "userland-proxy": False}
+    if bridge != "none":
+        subprocess.run(["ip", "link", "add", bridge, "type", "bridge"], check=True)
+        subprocess.run(["ip", "address", "add", "172.31.255.1/24", "dev", bridge], check=True)
     config.write_text(json.dumps(settings))
     host = f"unix://{folder}/socket"
     places = ["--data-root", f"{folder}/data", "--exec-root", f"{folder}/exec", "--pidfile", f"{folder}/pid"]
@@ -187,4 +191,6 @@ def running(debian: bool = False) -> Iterator[Engine]:
             process.wait(30)
         process.kill()
         log.close()
+        if bridge != "none":
+            subprocess.run(["ip", "link", "delete", bridge], check=False)
         shutil.rmtree(folder, ignore_errors=True)

@@ -32,7 +32,7 @@ def test_the_same_packages_give_the_same_layers(
     bake_file = push.write_excerpt(services, image_set, target)
     call = buildx.Bake(target, f"again-{target}", bake_file, (f"{target}.tags=", "*.no-cache=true"), values)
     repository = f"{prefix}/again"
-    manifest = push.push(services, push.pushing(call, repository))
+    manifest = push.push(services, push.Push(call, repository))
     assert layers(services, f"{repository}@{manifest}") == image.layers
     assert manifest == image.result["manifest"]
 

@@ -184,6 +184,20 @@ def environment(services: Services, bake: Bake) -> dict[str, str]:
     return env
 
 
+def output(services: Services, repository: str, target: str) -> str:
+    """The builder's output for a target that is pushed into a repository.
+
+    It has no tag, so nobody sees it yet. Docker's own BuildKit pushes by a tag alone, so it gets one for a while.
+    """
+    if services.is_docker_itself:
+        return f"type=image,name={repository}:{passing_tag(target)},push=true,store=false"
+    return f"type=image,name={repository},push=true,push-by-digest=true"
+
+
+def passing_tag(target: str) -> str:
+    return f"building-{target}"
+
+
 def command_on_it(services: Services) -> str:
     """The shell line by which users build their own Dockerfile with this builder, into its registry."""
     config = f"BUILDX_CONFIG={shlex.quote(str(services.buildx_config))} " if services.buildx_config else ""

@@ -31,11 +31,13 @@ class Services:
     registry: str  # the local one's address, which speaks plain http; empty on a client of another one
     buildx: tuple[str, ...]  # the command, e.g. ``("docker", "buildx")``
     builder: str
-    builder_kind: str  # ``buildkitd`` (our own), ``docker`` (a container of the user's Docker) or ``user`` (theirs)
+    builder_kind: str
+    """``engine`` (in the user's Docker itself), ``docker`` (a container of it), ``buildkitd`` (our own) or ``user`` (theirs)."""
     buildx_config: Path | None  # the folder; None for the user's own
     uv: str
     ca_bundle: str  # the user's, an absolute path; empty if the system's certificates count
     bases: tuple[str, ...]  # the command that makes base images (`base_images`); empty for those of matrix.yaml
+    no_engine: str = ""  # why the builder is not in the user's Docker itself
 
     @classmethod
     def load(cls, root: Path, required: bool = True) -> Services:
@@ -64,6 +66,11 @@ class Services:
             raise RosmlError(f"docker buildx does not answer: {errors[-1]}", remedy)
         bundle = os.environ.get("SSL_CERT_FILE", "")
         return cls(folder, "", buildx, names[0], "user", None, "", bundle, bases=())
+
+    @property
+    def is_docker_itself(self) -> bool:
+        """Whether the builder is the BuildKit in the user's Docker."""
+        return self.builder_kind == "engine"
 
     def save(self) -> None:
         text = _SERVICES_JSON.dump_json(self, indent=2, exclude={"root"}).decode() + "\n"

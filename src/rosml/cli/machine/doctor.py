@@ -182,9 +182,18 @@ def services() -> Iterator[Finding]:
         text = "not up: no local registry, and no builder"
         yield Finding("services", "note", text, "rosml setup; make image calls it")
         return
-    for name, address in (("registry", facts["registry"]["address"]), ("builder", facts["builder"]["name"])):
+    about = facts["builder"]
+    places = {
+        "engine": "Docker's own",
+        "docker": "in a container of your Docker",
+        "buildkitd": "our own",
+        "user": "yours",
+    }
+    no_engine = f", and not Docker's own: {about['no_engine']}" if about["no_engine"] else ""
+    builder = f"{about['name']} ({places.get(about['kind'], about['kind'])}{no_engine})"
+    for name, title in (("registry", facts["registry"]["address"]), ("builder", builder)):
         answers = facts[name]["answers"]
-        text = f"{address} {'answers' if answers else 'does not answer'}"
+        text = f"{title} {'answers' if answers else 'does not answer'}"
         yield Finding(name, "ok" if answers else "wrong", text, "" if answers else "rosml setup")
     bases = "official ones, from Docker Hub" if facts["docker_hub"] else "made here from Debian's archive"
     yield Finding("base images", "ok", bases)

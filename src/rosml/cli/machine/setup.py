@@ -290,9 +290,17 @@ def _tools(hub: bool, tests: bool = False) -> Services:
 def _up(hub: bool, tests: bool = False) -> None:
     from rosml.base.units import duration
     from rosml.machine.setup import services
+    from rosml.machine.setup.fitness import Unfit
+    from rosml.machine.setup.tools import install
 
     state, started = state_of_checkout(), time.monotonic()
-    services.up(state, _tools(hub, tests))
+    try:
+        services.up(state, _tools(hub, tests))
+    except Unfit as unfit:
+        if os.environ.get("BUILDX_BUILDER"):
+            raise
+        state.say(f"builder: Docker's own cannot build our images: {unfit.message}")
+        services.up(state, install(state, hub, tests, unfit.message.splitlines()[0]))
     state.say(f"setup: done in {duration(time.monotonic() - started)}")
 
 

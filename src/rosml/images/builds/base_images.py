@@ -23,6 +23,8 @@ from rosml.base.errors import RosmlError
 from rosml.images.matrix import names
 from rosml.images.matrix.model import OperatingSystem
 from rosml.machine.services import REMEDY, Services
+from rosml.registry import references
+from rosml.registry.credentials import DOCKER_HUB
 
 PINNED = re.compile(r"[^\s@]+@sha256:[0-9a-f]{64}")
 
@@ -51,14 +53,24 @@ def reference(services: Services, systems: Mapping[str, OperatingSystem], name: 
     if not services.bases:
         return _official(systems[name])
     options = "--architecture", architecture or native_architecture()
-    return _answer(services, name, _official(systems[name]), ("reference",), *options)[0]
+    return _for_builder(services, _answer(services, name, _official(systems[name]), ("reference",), *options)[0])
 
 
 def assembler(services: Services, systems: Mapping[str, OperatingSystem], name: str, python: str) -> Assembler:
     """The image that parts for an operating system and a Python are built on, for this machine's own architecture."""
     if _override(name) or not services.bases:
         return Assembler(reference(services, systems, name), systems[name].python)
-    return Assembler(*_answer(services, name, _official(systems[name]), ("reference", "python"), "--assembler", python))
+    keys = ("reference", "python")
+    text, version = _answer(services, name, _official(systems[name]), keys, "--assembler", python)
+    return Assembler(_for_builder(services, text), version)
+
+
+def _for_builder(services: Services, text: str) -> str:
+    """The reference by which the builder pulls an image that this machine made: Docker's own takes the local registry for no mirror."""
+    place = references.parse(references.complete(text))
+    return (
+        str(place._replace(host=services.registry)) if services.is_docker_itself and place.host == DOCKER_HUB else text
+    )
 
 
 def missing(services: Services, systems: Mapping[str, OperatingSystem], name: str) -> str:

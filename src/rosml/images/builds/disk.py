@@ -82,10 +82,10 @@ def make_room(services: Services, needed: int, say: Callable[[str], None]) -> bo
     """Prunes the builder's cache, the oldest entries first, until there is room for a build.
 
     The builder also prunes its cache itself, after a build and down to a fixed limit. An image with CUDA needs more
-    room at once. The user's own builder may be on another machine, and is left alone. Returns whether it may have removed something.
+    room at once. The user's own builder may be on another machine, and is left alone; so is Docker's, which has the cache of their other builds. Returns whether it may have removed something.
     """
     room, free = needed + RESERVE_MB, _free_mb(services.state)
-    if services.builder_kind == "user" or free >= room:
+    if services.builder_kind in ("user", "engine") or free >= room:
         return False
     say(f"{gigabytes(free)} are free, and {gigabytes(room)} needed: the builder prunes its cache")
     arguments = ["prune", "--builder", services.builder, "--force", "--all", "--min-free-space", f"{room}MB"]

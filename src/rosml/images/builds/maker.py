@@ -18,7 +18,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.builds import base_images, contents, disk, package_state, structure_tests
 from rosml.images.builds.part import PartBuilder
-from rosml.images.builds.push import push, push_together, pushing, write_excerpt
+from rosml.images.builds.push import Push, push, push_together, write_excerpt
 from rosml.images.builds.variables import base, sync_dates, variables
 from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
@@ -137,30 +137,30 @@ class BuildKitMaker:
     def build_together(self, requests: Sequence[BuildRequest]) -> None:
         """Builds what one call can build: with the same values of the bake file's variables, such as the base images."""
         values: dict[str, str] = {}
-        calls: dict[tuple[str, str], tuple[str, buildx.Bake]] = {}
+        pushes: dict[tuple[str, str], tuple[str, Push]] = {}
         for request in requests:
             try:
-                start, call = self._call(request)
+                start, it = self._call(request)
             except RosmlError:  # its own call raises it again
                 continue
-            if all(values.get(key, value) == value for key, value in call.variables.items()):
-                values |= call.variables
-                calls[request.key] = start, call
-        if len(calls) < 2:
+            if all(values.get(key, value) == value for key, value in it.call.variables.items()):
+                values |= it.call.variables
+                pushes[request.key] = start, it
+        if len(pushes) < 2:
             return
-        self._make_room_for(*(request for request in requests if request.key in calls))
-        targets = [target for target, _ in calls]
+        self._make_room_for(*(request for request in requests if request.key in pushes))
+        targets = [target for target, _ in pushes]
         self.say(f"build {listed(targets)} at once")
         file = write_excerpt(self.services, self.image_set, *targets)
-        name = f"build-{'-'.join(dict.fromkeys(architecture for _, architecture in calls))}-together"
+        name = f"build-{'-'.join(dict.fromkeys(architecture for _, architecture in pushes))}-together"
         try:
-            digests = push_together(self.services, [call for _, call in calls.values()], file, name)
+            digests = push_together(self.services, [it for _, it in pushes.values()], file, name)
         except RosmlError as error:
             self.say(f"{error.message}\nnow one after the other")
             return
-        self._pushed |= {key: (start, digests[call.target]) for key, (start, call) in calls.items()}
+        self._pushed |= {key: (start, digests[it.call.target]) for key, (start, it) in pushes.items()}
         things = {request.key: request.thing for request in requests}
-        images = [(self.place.path(repository_of(things[key])), self._pushed[key][1]) for key in calls]
+        images = [(self.place.path(repository_of(things[key])), self._pushed[key][1]) for key in pushes]
         with suppress(RosmlError):  # `_describe` tries each alone, and says why it fails
             self._sboms |= contents.attach(self.services, self.image_set, self.place.client, images, self.say)
 
@@ -168,12 +168,12 @@ class BuildKitMaker:
         """Builds and pushes a part or an image, unless `build_together` did."""
         if pair := self._pushed.pop(request.key, None):
             return pair
-        start, call = self._call(request)
+        start, it = self._call(request)
         self._make_room_for(request)
-        return start, push(self.services, call)
+        return start, push(self.services, it)
 
-    def _call(self, request: BuildRequest) -> tuple[str, buildx.Bake]:
-        """The reference of the base image, and the call that builds and pushes a part or an image."""
+    def _call(self, request: BuildRequest) -> tuple[str, Push]:
+        """The reference of the base image, and the push of a part or an image."""
         if isinstance(request.thing, Image):
             start, call = self._call_of_image(request.thing, request)
         else:
@@ -181,7 +181,7 @@ class BuildKitMaker:
             assembler, call = builder.bake(request.thing, [self._platform(request.architecture)])
             start = assembler.reference
         repository = self.place.reference(repository_of(request.thing))
-        return start, pushing(call, repository, self.image_set.matrix.compression)
+        return start, Push(call, repository, self.image_set.matrix.compression)
 
     def _call_of_image(self, image: Image, request: BuildRequest) -> tuple[str, buildx.Bake]:
         architecture, packages = request.architecture, request.packages

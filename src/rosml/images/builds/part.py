@@ -15,7 +15,7 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, unknown
 from rosml.images.builds import base_images
-from rosml.images.builds.push import push, pushing, write_excerpt
+from rosml.images.builds.push import Push, push, write_excerpt
 from rosml.images.image_set import restricted
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.image_set.restricted import Declared
@@ -73,7 +73,7 @@ class PartBuilder:
         started = time.monotonic()
         platforms = _platforms(part, platform)
         base, call = self.bake(part, platforms)
-        digest = push(self.services, pushing(call, f"{self.prefix}/part", self.image_set.matrix.compression))
+        digest = push(self.services, Push(call, f"{self.prefix}/part", self.image_set.matrix.compression))
         reference = f"{self.prefix}/part@{digest}"
         with Registry(self.services.registry, ca_bundle=self.services.ca_bundle) as client:
             layers = dict(_layers(client, self._place.repository, digest, platforms))

@@ -17,7 +17,7 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.units import duration
 from rosml.machine.services import Services
-from rosml.machine.setup import network, step_network
+from rosml.machine.setup import fitness, network, step_network
 from rosml.machine.setup.builder_cache import CacheLimits
 from rosml.machine.setup.daemon import START_SECONDS, Daemon, fingerprint, processes, wait_until
 from rosml.machine.setup.installer import which_system
@@ -30,6 +30,10 @@ UNUSABLE = (":", ",", "\\", '"')
 """Characters that the path of an overlay's layer must not have."""
 DOCKER_FOLDER = Path("/var/lib/docker")
 SHARED = "build steps share this machine's network: code of a repository reaches what listens here"
+DOCKERS_NETWORK = (
+    "build steps have Docker's network: code of a repository reaches what listens on this machine's addresses, except on "
+    "loopback; BUILDX_BUILDER=rosml rosml setup makes a builder that is closed"
+)
 NO_START = "as it does not start with a bridge"
 
 
@@ -99,7 +103,9 @@ def daemon(state: State) -> Daemon:
 
 def up(state: State, services: Services, image: str) -> None:
     """Makes sure that the builder runs and buildx knows it. `image`: BuildKit's, for a builder in Docker."""
-    if services.builder_kind == "user":
+    if services.builder_kind == "engine":
+        _up_engine(state, services)
+    elif services.builder_kind == "user":
         _up_user(state, services)
     elif services.builder_kind == "docker":
         _up_docker(state, services, image)
@@ -107,10 +113,26 @@ def up(state: State, services: Services, image: str) -> None:
         _up_own(state, services)
 
 
+def in_container(state: State) -> bool:
+    """Whether a builder in a container of the user's Docker was made here."""
+    return _docker_config(state).exists()
+
+
+def _up_engine(state: State, services: Services) -> None:
+    """The BuildKit in the user's Docker. Raises Unfit."""
+    started = time.monotonic()
+    fitness.require(services)
+    state.say(
+        f"builder: your Docker's own, '{services.builder}'; it was tried in {duration(time.monotonic() - started)}"
+    )
+    state.say(f"builder: {DOCKERS_NETWORK}")
+
+
 def _up_user(state: State, services: Services) -> None:
     """The builder that BUILDX_BUILDER names. It is the user's, so we only check it."""
     try:
         _boot(state, services)
+        fitness.require(services)
     except RosmlError as error:
         remedy = "start that builder, or unset BUILDX_BUILDER to have one made"
         raise RosmlError(f"BUILDX_BUILDER={services.builder}: {error.message}", remedy) from None

@@ -55,6 +55,7 @@ def status(state: State) -> dict[str, Any]:
         "builder": {
             "name": services.builder,
             "kind": services.builder_kind,
+            "no_engine": services.no_engine,
             "answers": _answers(services.require_builder),
         },
         "docker_hub": not services.bases if services.registry else None,

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
+from typing import NamedTuple
 
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_image
 from rosml.machine.services import Services
-from rosml.machine.setup import step_network
+from rosml.machine.setup import builder, step_network
 from rosml.machine.setup.installer import ENGINE, Installer, dotted, version_in, which_system
 from rosml.machine.setup.process import output_of
 from rosml.machine.setup.state import State
@@ -51,11 +53,42 @@ def buildx_of(installer: Installer) -> tuple[str, ...]:
     return ()
 
 
-def choose_builder(installer: Installer, hub: bool) -> tuple[str, str]:
-    """The kind and the name of the builder: the one that BUILDX_BUILDER names, one in Docker, or our own buildkitd."""
+class Choice(NamedTuple):
+    """The kind and the name of a builder, as in Services. `no_engine`: why it is not in Docker itself."""
+
+    kind: str
+    name: str
+    no_engine: str = ""
+
+
+def choose_builder(installer: Installer, hub: bool, unfit: str = "") -> Choice:
+    """The builder that BUILDX_BUILDER names, Docker's own, one in a container of Docker, or our own buildkitd.
+
+    Args:
+        unfit: why Docker's own cannot build our images; empty if that was not tried.
+    """
     name = os.environ.get("BUILDX_BUILDER", "")
     if name and name != BUILDER:
-        return "user", name
+        in_docker = re.search(r"^Driver: +docker$", _docker(installer, "buildx", "inspect", name), re.MULTILINE)
+        return Choice("engine" if in_docker else "user", name)
+    no_engine = f"BUILDX_BUILDER={BUILDER} asks for another one" if name else unfit or _no_engine(installer)
+    if not no_engine:
+        return Choice("engine", _docker(installer, "context", "show").strip() or "default")
+    return Choice(*_other_builder(installer, hub), no_engine)
+
+
+def _no_engine(installer: Installer) -> str:
+    """Why the builder cannot be the BuildKit in the user's Docker, as far as it says itself; empty if it can."""
+    if not docker_is_there(installer):
+        return "no Docker answers"
+    if "io.containerd.snapshotter" not in _docker(installer, "info", "--format", "{{json .DriverStatus}}"):
+        return "its image store is not containerd's"
+    if builder.in_container(installer.state):
+        return "the builder in a container, which was made before, has the cache"
+    return ""
+
+
+def _other_builder(installer: Installer, hub: bool) -> tuple[str, str]:
     if docker_is_there(installer) and (hub or docker_has_buildkit(installer)):
         return "docker", BUILDER
     if os.geteuid() != 0:
@@ -135,14 +168,14 @@ def browser_packages() -> dict[str, str]:
     return {"chromium": "opens the catalogue's page in its tests"}
 
 
-def install(state: State, hub: bool, tests: bool = False) -> Services:
-    """Finds or installs all tools of the services and builds; with `tests` also those of `make test`.
+def install(state: State, hub: bool, tests: bool = False, unfit: str = "") -> Services:
+    """Finds or installs all tools of the services and builds; with `tests` also those of `make test`. `unfit`: see `choose_builder`.
 
     The services in the result have no registry, which is not started here.
     """
     installer = Installer(state)
-    kind, builder = choose_builder(installer, hub)
-    packages = missing_packages(kind, hub)
+    choice = choose_builder(installer, hub, unfit)
+    packages = missing_packages(choice.kind, hub)
     if tests:
         packages = {**packages, **engine_packages(installer), **browser_packages()}
     if packages:
@@ -150,14 +183,14 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
     buildx = buildx_of(installer)
     programs = ["registry"]
     programs += [] if buildx else ["buildx"]
-    programs += ["buildkitd"] if kind == "buildkitd" else []
+    programs += ["buildkitd"] if choice.kind == "buildkitd" else []
     if tests:
         programs += ["composecheck"]
         programs += [] if installer.on_path("regctl", "version", OLDEST_REGCTL) else ["regctl"]
         programs += [] if installer.on_path("actionlint", "--version") else ["actionlint"]
     # apt mostly waits for the network, so it runs beside Go's compiler.
     with ThreadPoolExecutor(1) as pool, installer.fetching(programs):
-        apt = pool.submit(_debian_packages, installer, packages, kind)
+        apt = pool.submit(_debian_packages, installer, packages, choice.kind)
         for name in programs:
             if apt.done():
                 apt.result()  # raises its failure now
@@ -171,10 +204,11 @@ def install(state: State, hub: bool, tests: bool = False) -> Services:
         root=state.root,
         registry="",
         buildx=buildx or (str(state.bin / "buildx"),),
-        builder=builder,
-        builder_kind=kind,
-        buildx_config=None if kind == "user" else state.folder / "buildx",
+        builder=choice.name,
+        builder_kind=choice.kind,
+        buildx_config=None if choice.kind == "user" else state.folder / "buildx",
         uv=state.uv,
         ca_bundle=state.ca_bundle,
         bases=() if hub else (str(state.root / ".venv/bin/python"), str(state.root / "tools/offline")),
+        no_engine=choice.no_engine,
     )

@@ -94,10 +94,13 @@ def test_a_service_that_does_not_answer_is_wrong(machine: Path, monkeypatch: pyt
     facts = {
         "up": True,
         "registry": {"address": "127.0.0.1:5000", "answers": True},
-        "builder": {"name": "rosml", "answers": False},
+        "builder": {"name": "rosml", "kind": "docker", "no_engine": "it is too old", "answers": False},
         "docker_hub": True,
     }
     monkeypatch.setattr(services, "status", lambda _: facts)
     by_name = findings(1)
     assert (by_name["registry"]["state"], by_name["builder"]["state"]) == ("ok", "wrong")
     assert by_name["builder"]["remedy"] == "./rosml setup"
+    assert by_name["builder"]["found"].startswith(
+        "rosml (in a container of your Docker, and not Docker's own: it is too old)"
+    )

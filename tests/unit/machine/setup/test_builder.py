@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import shutil
 import socket
 import sys
 import tomllib
+from contextlib import nullcontext
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -17,11 +20,15 @@ from conftest import ROOT
 from fakes.setups import new_state, program, services_of
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
-from rosml.machine.setup import builder, services, step_network, tools
+from rosml.machine import buildx as buildx_of
+from rosml.machine.services import Services
+from rosml.machine.setup import builder, fitness, services, step_network, tools
 from rosml.machine.setup.builder_cache import CacheLimits
 from rosml.machine.setup.daemon import Daemon
 from rosml.machine.setup.installer import Installer
 from rosml.machine.setup.state import State
+from rosml.registry import oci
+from rosml.registry.client import Registry
 
 IMAGE = "moby/buildkit:v0.29.0"
 
@@ -31,9 +38,16 @@ def state(tmp_path: Path) -> State:
     return new_state(tmp_path)
 
 
+CONTAINERD = '[["driver-type","io.containerd.snapshotter.v1"]]'
+
+
 @pytest.mark.parametrize(
     ("has", "kind"),
     [
+        ({"docker", "store"}, "engine"),
+        ({"docker", "store", "hub", "container"}, "docker"),  # its cache counts
+        ({"docker", "store", "hub", "unfit"}, "docker"),
+        ({"docker", "store", "hub", "BUILDX_BUILDER"}, "docker"),
         ({"docker", "hub"}, "docker"),
         ({"docker", "image"}, "docker"),
         ({"docker", "root"}, "buildkitd"),  # Docker could not pull BuildKit
@@ -43,19 +57,28 @@ def state(tmp_path: Path) -> State:
     ],
 )
 def test_choice_of_the_builder(state: State, monkeypatch: pytest.MonkeyPatch, has: set[str], kind: str) -> None:
-    monkeypatch.delenv("BUILDX_BUILDER", raising=False)
+    monkeypatch.setenv("BUILDX_BUILDER", "rosml" if "BUILDX_BUILDER" in has else "")
+    answers = {"info": CONTAINERD if "store" in has else "[]", "context": "desktop\n"}
+    monkeypatch.setattr(tools, "_docker", lambda installer, *words: answers.get(words[0], ""))
     monkeypatch.setattr(tools, "docker_is_there", lambda installer: "docker" in has)
+    if "container" in has:
+        (state.run / "buildkitd-docker.toml").write_text("")
+    unfit = "it is too old" if "unfit" in has else ""
     monkeypatch.setattr(tools, "docker_has_buildkit", lambda installer: "image" in has)
     monkeypatch.setattr(tools, "buildkit_image", lambda state: "moby/buildkit:v1")
     monkeypatch.setattr(os, "geteuid", lambda: 0 if "root" in has else 1000)
     installer = Installer(state)
     if " " not in kind:
-        assert tools.choose_builder(installer, "hub" in has) == (kind, "rosml")
+        choice = tools.choose_builder(installer, "hub" in has, unfit)
+        assert choice[:2] == (kind, "desktop" if kind == "engine" else "rosml")
+        assert bool(choice.no_engine) == (kind != "engine") and unfit in choice.no_engine
     else:
         with pytest.raises(RosmlError, match=kind):
             tools.choose_builder(installer, "hub" in has)
     monkeypatch.setenv("BUILDX_BUILDER", "mine")
-    assert tools.choose_builder(installer, "hub" in has) == ("user", "mine")
+    assert tools.choose_builder(installer, "hub" in has) == ("user", "mine", "")
+    answers["buildx"] = "Name:   mine\nDriver: docker\n"
+    assert tools.choose_builder(installer, "hub" in has) == ("engine", "mine", "")
 
 
 def test_buildkit_in_docker_is_of_the_pinned_release() -> None:
@@ -384,12 +407,47 @@ def test_builder_in_docker_is_stopped(state: State, buildx: Path) -> None:
 def test_builder_of_the_user(state: State, buildx: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("BUILDX_CONFIG", raising=False)
     user = services_of(state, "user", str(buildx))
+    monkeypatch.setattr(fitness, "require", lambda _: None)
     builder.up(state, user, "")
     assert (state.root / "calls").read_text() == "inspect --bootstrap rosml\n"
     (state.root / "broken").touch()
     with pytest.raises(RosmlError, match="BUILDX_BUILDER=rosml") as caught:
         builder.up(state, user, "")
     assert "unset BUILDX_BUILDER" in caught.value.remedy
+
+
+@pytest.mark.parametrize(
+    ("kind", "output", "layer", "reason"),
+    [
+        ("engine", "name={}:building-fit,push=true,store=false", "zstd", ""),
+        ("user", "name={},push=true,push-by-digest=true", "zstd", ""),
+        ("engine", "name={}:building-fit,push=true,store=false", "gzip", "pushes no layers with zstd"),
+        ("engine", "", "", "not implemented"),
+    ],
+)
+def test_a_builder_is_tried(
+    state: State, monkeypatch: pytest.MonkeyPatch, registry: str, kind: str, output: str, layer: str, reason: str
+) -> None:
+    """Another version or another driver may lack something, so a small image is pushed as parts are."""
+    services = replace(services_of(state, kind), registry=registry)
+
+    def build(_: Services, bake: buildx_of.Bake) -> tuple[None, dict[str, str]]:
+        if not layer:
+            raise RosmlError("push-by-digest is not implemented")
+        target = json.loads(bake.file.read_text())["target"]["fit"]
+        assert target["output"][0].startswith(f"type=image,{output.format(f'{registry}/{fitness.REPOSITORY}')},")
+        with Registry(registry) as client:
+            client.put_blob(fitness.REPOSITORY, b"{}")
+            entry = oci.descriptor(f"application/vnd.oci.image.layer.v1.tar+{layer}", b"{}")
+            content = {"schemaVersion": 2, "config": oci.descriptor(oci.CONFIG, b"{}"), "layers": [entry]}
+            digest = client.put_manifest(fitness.REPOSITORY, "building-fit", {"mediaType": oci.IMAGE, **content})
+        return None, {"containerimage.digest": digest}
+
+    monkeypatch.setattr(buildx_of, "run", build)
+    with pytest.raises(fitness.Unfit, match=reason) if reason else nullcontext():
+        fitness.require(services)
+    with Registry(registry) as client:
+        assert client.tags(fitness.REPOSITORY) == []
 
 
 def test_a_builder_that_answers_is_not_cut_off(tmp_path: Path) -> None:

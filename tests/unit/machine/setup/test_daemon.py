@@ -244,6 +244,7 @@ def test_services_json(state: State) -> None:
         "uv": "/uv",
         "ca_bundle": "",
         "bases": [],
+        "no_engine": "",
     }
     assert Services.load(state.root) == services
 

@@ -160,7 +160,7 @@ def test_missing_rights_are_reported_before_minutes_of_compiling(
     state: State, bare: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(os, "geteuid", lambda: 1000)
-    monkeypatch.setattr(tools, "choose_builder", lambda installer, hub: ("docker", "rosml"))
+    monkeypatch.setattr(tools, "choose_builder", lambda installer, hub, unfit: tools.Choice("docker", "rosml"))
     with pytest.raises(RosmlError, match=r"docker\.io .*chromium .*only root may") as caught:
         tools.install(state, hub=True, tests=True)
     command = "apt-get update && apt-get install --no-install-recommends docker.io chromium"
