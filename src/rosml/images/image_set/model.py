@@ -156,7 +156,7 @@ class Image:
     def proven_by(self) -> tuple[str, ...]:
         """The images whose tests also count for it: the ROS image below it, and the one that runs its shared tests."""
         below = () if self.parent.startswith("_") else (self.parent,)  # a stage of the Dockerfile is no image
-        return tuple(name for name in (*below, *self.carriers[:1]) if name != self.target)
+        return tuple(name for name in dict.fromkeys((*below, *self.carriers[:1])) if name != self.target)
 
     @property
     def test_target(self) -> str:

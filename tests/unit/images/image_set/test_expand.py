@@ -212,6 +212,13 @@ def test_every_test_has_a_file(real: ImageSet) -> None:
     assert {test for test in tests if not (ROOT / "tests/structure" / f"{test}.yaml").is_file()} == set()
 
 
+def test_explain_names_an_image_that_tests_for_it_once(real: ImageSet) -> None:
+    """The ROS image below it may also be the one that runs shared tests."""
+    tested = "what it shares with others is tested in jazzy-core: ros2-core, ros2-workspace and pip"
+    assert tested in explained(real, "jazzy-base").reasons
+    assert [image.target for image in real.images if len({*image.proven_by}) < len(image.proven_by)] == []
+
+
 def test_images_without_a_lock_are_in_no_group(small: ImageSet) -> None:
     locks = {lock for part in small.parts for lock in part.locks}
     torch = "locks/cu1/amd64/3.12/torch.txt"
