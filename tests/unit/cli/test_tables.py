@@ -21,5 +21,5 @@ def test_it_is_printed_as_it_is(text: str, capsys: pytest.CaptureFixture[str]) -
     row, waits, *_ = capsys.readouterr().out.splitlines()[1:]
     assert row.split() == ["build", "alpha-core", "amd64", "failed", "0.0", "s", *text.split()]
     assert waits == f"waits: 1 times: {text}"
-    tables.print_status([ImageStatus("alpha-core", "failed", text, "ros:alpha-core", "", "", None, ())], [], {})
+    tables.print_status([ImageStatus("alpha-core", "failed", text, "ros:alpha-core", "", "", None, ())], [], [])
     assert capsys.readouterr().out.splitlines()[1].split() == ["alpha-core", "failed", *text.split()]

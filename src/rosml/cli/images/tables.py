@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from rosml.base import github, terminal
@@ -18,7 +18,7 @@ if TYPE_CHECKING:  # a table of images needs none of them
     from rosml.images.bake.diff import Difference
     from rosml.images.bake.inputs import Inputs
     from rosml.images.publish.shards import Shard
-    from rosml.images.publish.status import Cause, ImageStatus
+    from rosml.images.publish.status import Ahead, Cause, ImageStatus
     from rosml.images.scan.judge import Run
 
 MANY = 12
@@ -148,7 +148,7 @@ FEW = 24
 """As many images as fit on a screen have a line each, whatever their state."""
 
 
-def print_status(statuses: list[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]) -> None:
+def print_status(statuses: list[ImageStatus], causes: Sequence[Cause], ahead: Iterable[Ahead]) -> None:
     """Prints a line for each image that was published or failed, the published ones first; a block for each cause; and how many
     images each state has. If there are few images, each has a line."""
     from rosml.images.publish.status import STATES, age
@@ -162,7 +162,7 @@ def print_status(statuses: list[ImageStatus], causes: Sequence[Cause], ahead: Ma
     show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"], whole=["image"])
     out = terminal.console()
     for cause in causes if len(statuses) > 1 else ():
-        head = f"{counted(len(cause.targets), 'image')} {cause.state}"
+        head = f"{cause.count} {cause.state}"
         out.print(f"{head}: {cause.reason or some(cause.targets)}", style=STATES[cause.state], markup=False)
         if cause.reason:
             out.print(f"  {some(cause.targets)}", style="dim", markup=False)
@@ -172,15 +172,19 @@ def print_status(statuses: list[ImageStatus], causes: Sequence[Cause], ahead: Ma
 
 
 def _counts(statuses: Sequence[ImageStatus]) -> str:
-    from rosml.images.publish.status import STATES
+    """How many images have each state, and how many parts: `3 images: 2 published, 1 missing; 1 part: 1 published`."""
+    from rosml.images.publish import status
 
-    counts = Counter(image.state for image in statuses)
-    text = ", ".join(f"{counts[name]} {name}" for name in STATES if counts[name])
-    return f"{counted(len(statuses), 'image')}: {text}"
+    texts = []
+    for things in ([it for it in statuses if it.kind == kind] for kind in ("image", "part")):
+        counts = Counter(it.state for it in things)
+        text = ", ".join(f"{counts[name]} {name}" for name in status.STATES if counts[name])
+        texts += [f"{status.count(things)}: {text}"] if things else []
+    return "; ".join(texts) or status.count(())
 
 
-def _ahead(ahead: Mapping[str, int]) -> str:
-    steps = ", ".join(f"{name} {number}" for name, number in ahead.items())
+def _ahead(ahead: Iterable[Ahead]) -> str:
+    steps = ", ".join(f"{it.step} {it.number}" + f" for {it.architecture}" * bool(it.architecture) for it in ahead)
     return f"a further run would {steps}" if steps else "a further run has nothing to do"
 
 
@@ -192,14 +196,14 @@ def folded(targets: Sequence[str]) -> str:
 
 
 def status_markdown(
-    place: str, statuses: Sequence[ImageStatus], causes: Sequence[Cause], ahead: Mapping[str, int]
+    place: str, statuses: Sequence[ImageStatus], causes: Sequence[Cause], ahead: Iterable[Ahead]
 ) -> str:
     """The state of a registry's images, for the owner of a repository: numbers, then each cause with its images and the
     last lines of its log."""
     lines = [f"## Images of {place}", "", f"{_counts(statuses)}. {_ahead(ahead).capitalize()}.", ""]
     for cause in causes:
         reason = f": {github.code(cause.reason)}" if cause.reason else ""
-        lines += [f"### {counted(len(cause.targets), 'image')} {cause.state}{reason}", ""]
+        lines += [f"### {cause.count} {cause.state}{reason}", ""]
         lines += [folded(cause.targets), ""]
         if cause.log:
             lines += [github.code(cause.log), ""]

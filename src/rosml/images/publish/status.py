@@ -8,13 +8,14 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import datetime
-from typing import Any
+from typing import Any, Literal
 
 from rosml.base.clock import TIME, is_ahead, is_date
+from rosml.base.problems import counted, listed
 from rosml.images.image_set import missing_locks
 from rosml.images.image_set.missing_locks import UNLOCKED
 from rosml.images.image_set.model import Image, Part, repository_of, tags_of
-from rosml.images.publish.items import ELSEWHERE, ENDED, WAITING, Item, Key
+from rosml.images.publish.items import ELSEWHERE, ENDED, WAITING, Item, Key, Step
 from rosml.images.publish.state import State
 from rosml.images.records.store import Entry, date_of
 
@@ -40,7 +41,7 @@ ended: the distribution is past its end of life, and the image's tags stay where
 
 @dataclass(frozen=True)
 class ImageStatus:
-    """The state of an image."""
+    """The state of an image or part."""
 
     target: str
     state: str  # one of STATES
@@ -51,6 +52,7 @@ class ImageStatus:
     age: float | None  # seconds since then
     platforms: tuple[str, ...]
     log: str = ""  # the last lines of what failed, from the records
+    kind: Literal["image", "part"] = "image"
 
     def to_json(self) -> dict[str, Any]:
         return {**vars(self), "platforms": list(self.platforms)}
@@ -74,6 +76,7 @@ def read(state: State, now: str) -> Iterator[ImageStatus]:
             (today - published).total_seconds() if published and today else None,
             tuple((item.platform and item.platform.architecture) or "" for item in (index.members if index else ())),
             _log(state, thing) if name == "failed" else "",
+            "part" if isinstance(thing, Part) else "image",
         )
 
 
@@ -122,12 +125,19 @@ def _log(state: State, thing: Image | Part) -> str:
 
 @dataclass(frozen=True)
 class Cause:
-    """Why some images are not published in their present form: their state, and what they have in common."""
+    """Why some images and parts are not published in their present form: their state, and what they have in common."""
 
     state: str
     reason: str
     targets: tuple[str, ...]
     log: str  # the last lines of what failed, of one image
+    count: str  # how many: `2 images and 1 part`
+
+
+def count(statuses: Iterable[ImageStatus]) -> str:
+    """How many images and parts there are: `2 images and 1 part`."""
+    numbers = Counter(it.kind for it in statuses)
+    return listed([counted(number, kind) for kind, number in sorted(numbers.items())]) or counted(0, "image")
 
 
 _FOR = re.compile(r" \(for [\w.-]+\)")
@@ -154,17 +164,26 @@ def causes(statuses: Sequence[ImageStatus], architectures: Iterable[str]) -> lis
                 parts.pop(ELSEWHERE, None)  # a publishing run has machines of all architectures
             groups.setdefault((image.state, "; ".join(parts)), []).append(image)
     grouped = (
-        Cause(state, reason, tuple(x.target for x in images), next((x.log for x in images if x.log), ""))
+        Cause(state, reason, tuple(x.target for x in images), next((x.log for x in images if x.log), ""), count(images))
         for (state, reason), images in groups.items()
     )
     order = [*STATES]
     return sorted(grouped, key=lambda cause: (cause.state != "failed", order.index(cause.state), -len(cause.targets)))
 
 
-def ahead(state: State) -> dict[str, int]:
-    """How often another run would do each step, with machines of all architectures."""
+@dataclass(frozen=True)
+class Ahead:
+    """How often another run would do a step. `architecture` is empty for those that were asked for."""
+
+    step: Step
+    number: int
+    architecture: str = ""
+
+
+def ahead(state: State) -> list[Ahead]:
+    """What another run would do, with machines of all architectures."""
     serve = state.request.serve
-    counts: Counter[str] = Counter()
+    counts: Counter[tuple[str, Step]] = Counter()
     for item in state.items:
         if (
             state.end(item.thing)
@@ -173,10 +192,15 @@ def ahead(state: State) -> dict[str, int]:
         ):
             continue
         outdated = bool(state.reasons(item))
-        counts[item.making] += outdated
+        other = "" if item.architecture in state.architectures else item.architecture
+        counts[other, item.making] += outdated
         if item.kind != "part" and (outdated or not state.tests.passed(item, state.entries[item.key])):
-            counts["test"] += 1
-    return {name: counts[name] for name in ("build", "join", "test") if counts[name]}
+            counts[other, "test"] += 1
+    steps = sorted(counts, key=lambda it: (it[0], _STEPS.index(it[1])))
+    return [Ahead(step, counts[other, step], other) for other, step in steps if counts[other, step]]
+
+
+_STEPS: tuple[Step, ...] = ("build", "join", "test")
 
 
 def _wrong_date(date: str, now: str) -> str:

@@ -17,7 +17,7 @@ from rosml.cli.images import tables
 from rosml.images.image_set import locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish import status
-from rosml.images.publish.status import ImageStatus
+from rosml.images.publish.status import Ahead, ImageStatus
 
 AMD64: dict[str, Any] = {"architectures": ("amd64",)}
 
@@ -59,7 +59,9 @@ def test_each_state(registry: Publisher, image_set: ImageSet) -> None:
     assert [status.age(seconds) for seconds in (None, 59, 7300)] == ["", "59 s", "2 h"]
 
 
-def test_a_machine_of_one_architecture(registry: Publisher, image_set: ImageSet) -> None:
+def test_a_machine_of_one_architecture(
+    registry: Publisher, image_set: ImageSet, capsys: pytest.CaptureFixture[str]
+) -> None:
     registry.publish(image_set, only=["alpha"])
     assert state(registry, image_set, "omega-core-torch-cpu", **AMD64) == (
         "waiting for a builder",
@@ -75,6 +77,10 @@ def test_a_machine_of_one_architecture(registry: Publisher, image_set: ImageSet)
         ("alpha-core-torch-cu1", ("published", "")),
     ):
         assert state(registry, image_set, target, **AMD64) == expected
+    ahead = status.ahead(registry.run(image_set, only=["alpha"], **AMD64).state)
+    assert [it for it in ahead if it.architecture != "arm64"] == [], "its own are up to date"
+    tables.print_status([], [], ahead)
+    assert capsys.readouterr().out == "0 images; a further run would build 2 for arm64, test 2 for arm64\n"
 
 
 def test_a_missing_lock_and_a_missing_base_image(
@@ -99,13 +105,17 @@ def test_a_missing_lock_and_a_missing_base_image(
     counts = json.loads(status.as_json(images))["counts"]
     assert (counts["published"], counts["waiting for a builder"], counts["lock missing"]) == (1, 1, 3)
     monkeypatch.setattr(tables, "FEW", len(images))
-    tables.print_status(images, [], {"join": 2})
-    lines = {line.split()[0]: " ".join(line.split()[1:]) for line in capsys.readouterr().out.splitlines() if line}
+    tables.print_status(images, [], [Ahead("join", 2)])
+    *rows, summary = capsys.readouterr().out.splitlines()
+    lines = {line.split()[0]: " ".join(line.split()[1:]) for line in rows if line}
     assert lines["alpha-core"] == "published 3 d amd64, arm64"
     assert lines["alpha-base"] == f"waiting for a builder {why}"
-    assert lines[str(len(images))].endswith("3 lock missing, 1 waiting for a builder; a further run would join 2")
+    of_images, of_parts, further = summary.split("; ")
+    assert of_images == "4 images: 1 published, 2 lock missing, 1 waiting for a builder"
+    assert of_parts.startswith(f"{len(images) - 4} parts: ") and "1 lock missing" in of_parts
+    assert further == "a further run would join 2"
     monkeypatch.setattr(tables, "FEW", 1)
-    tables.print_status(images, [], {})
+    tables.print_status(images, [], [])
     assert [line.split()[0] for line in capsys.readouterr().out.splitlines()[:-1]] == ["image", "alpha-core"]
 
 
@@ -125,9 +135,9 @@ def test_a_missing_lock_hides_no_failure(project: Path, monkeypatch: pytest.Monk
     assert causes(here.run(lacking, only=[target]))[target] == ("lock missing", "")
     run = here.publish(lacking, only=[target], poisoned={target})
     assert causes(run)[target] == ("failed", "tests failed: contract: it is poisoned")
-    assert status.ahead(run.state) == {"test": 1}, "on the architecture that has its lock"
+    assert status.ahead(run.state) == [Ahead("test", 1)], "on the architecture that has its lock"
     run = here.publish(lacking, only=[target], date=LATER, serving=("amd64",))
-    assert target not in causes(run) and status.ahead(run.state) == {}
+    assert target not in causes(run) and status.ahead(run.state) == []
     other = lock.replace("arm64", "amd64")
     (project / other).unlink()
     without = locked.with_locks(image_set, image_set.locks - {lock, other})
@@ -154,12 +164,12 @@ def test_the_owner_sees_each_cause_once(registry: Publisher, image_set: ImageSet
         f"alpha-{component}-{framework}-cu1" for component in ("core", "base") for framework in ("torch", "ml")
     }
     ahead = status.ahead(run.state)
-    assert ahead == {"build": 1, "join": 4, "test": 6}
+    assert ahead == [Ahead("build", 1), Ahead("join", 4), Ahead("test", 6)]
     text = tables.status_markdown("registry.example/rosml", images, causes, ahead)
     assert "A further run would build 1, join 4, test 6." in text
     assert "````\nit broke\n@somebody `at` line 7\n````" in text
     repeated = registry.publish(image_set, date=NEXT)
-    assert {step: len(steps(repeated, step)) for step in ahead} == ahead
+    assert [Ahead(it.step, len(steps(repeated, it.step))) for it in ahead] == ahead
 
 
 def test_a_failure_is_over_when_its_change_is_reverted(registry: Publisher, image_set: ImageSet, project: Path) -> None:
