@@ -27,5 +27,5 @@ def help_lines() -> tuple[str, ...]:
     source = "that you cloned" if IN_CHECKOUT else "that rosml was installed from"
     return (
         "Pages: docs/. Messages and remedies: docs/troubleshooting.md.",
-        f"Report a problem in the repository {source}.",
+        f"Report problems as issues of the repository {source}.",
     )

@@ -48,7 +48,8 @@ ALL = dict(commands(main.cli))
 
 def test_its_help_ends_with_where_to_find_more(wheel: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pages = (
-        "Help:\n  Pages: docs/. Messages and remedies: docs/troubleshooting.md.\n  Report a problem in the repository "
+        "Help:\n  Pages: docs/. Messages and remedies: docs/troubleshooting.md.\n"
+        "  Report problems as issues of the repository "
     )
     assert CliRunner().invoke(main.cli, ["--help"]).output.endswith(f"{pages}that you cloned.\n")
     assert installed(wheel, tmp_path, "--help").stdout.endswith(f"{pages}that rosml was installed from.\n")
@@ -445,6 +446,13 @@ def test_each_has_its_help(name: str) -> None:
     assert done.exit_code == 0 and "Usage: " in done.output and ALL[name].help
     assert not MAKES.search(" ".join(done.output.split()).replace("`make test`", ""))
     assert not unknown_commands(ALL[name].help or "")
+
+
+@pytest.mark.parametrize("name", ["", *ALL])
+def test_help_fits_on_lines_of_100_columns(name: str) -> None:
+    """Options, examples and tables, too, which click never wraps."""
+    output = CliRunner(env={"COLUMNS": "100"}).invoke(main.cli, [*name.split(), "--help"]).output
+    assert [line for line in output.splitlines() if len(line) > 100] == []
 
 
 def test_an_interrupted_join_ends_at_once(wheel: Path, tmp_path: Path) -> None:

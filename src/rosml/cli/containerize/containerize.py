@@ -29,9 +29,16 @@ def _options(function: Function) -> Function:
         if item.gone or item.name in app_inputs.SECRET:
             continue
         text = f"{item.help} [{item.default}]" if item.default else item.help
-        name = f"--{item.name}/--no-{item.name}" if item.flag else f"--{item.name}"
-        function = click.option(name, item.variable, default=None, help=text)(function)
+        name, kind = (f"--{item.name}/--no-{item.name}", _Flag) if item.flag else (f"--{item.name}", click.Option)
+        function = click.option(name, item.variable, cls=kind, default=None, help=text)(function)
     return function
+
+
+class _Flag(click.Option):
+    """An input that is on or off. Help names it once, since two long names do not fit on a line."""
+
+    def get_help_record(self, ctx: click.Context) -> tuple[str, str] | None:
+        return self.opts[0].replace("--", "--[no-]", 1), self.help or ""
 
 
 def services_for_builds() -> Services:
@@ -70,7 +77,8 @@ def main(folder: Path, lock: bool, as_json: bool, **options_by_variable: str | b
 
     \b
     Example:
-      rosml containerize --base-image ghcr.io/us/ros-torch:jazzy-base-cu130 --command "ros2 launch my_package all.launch.py"
+      rosml containerize --base-image ghcr.io/us/ros-torch:jazzy-base-cu130 \\
+        --command "ros2 launch my_package all.launch.py"
     """
     from rosml.containerize.build import step_order
     from rosml.containerize.packages import manifest

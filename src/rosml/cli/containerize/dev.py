@@ -109,7 +109,6 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
     """Opens a shell in a container with all that the ROS packages of FOLDER need, as you. FOLDER is mounted there as
     /docker-ros/ws/src/target. The words after -- are a command instead of the shell, and the exit code is its own.
 
-    \b
     The image has the dependencies of your packages, as rosml containerize finds them, with ccache, gdb and debugpy.
     It is made again if a package.xml or another input changes.
 

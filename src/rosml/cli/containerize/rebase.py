@@ -92,7 +92,8 @@ def main(**values: Any) -> None:
     \b
     Examples:
       rosml rebase ghcr.io/me/robot:latest
-      rosml rebase ghcr.io/me/robot:latest --base ghcr.io/us/ros-torch:jazzy-base-cu130 --tag ghcr.io/me/robot:torch
+      rosml rebase ghcr.io/me/robot:latest --base ghcr.io/us/ros-torch:jazzy-base-cu130 \\
+        --tag ghcr.io/me/robot:torch
       rosml rebase --all apps.yaml --dry-run
       rosml rebase --all apps.yaml --fixes CVE-2026-12345
     """

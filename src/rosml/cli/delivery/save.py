@@ -36,7 +36,8 @@ def main(image: str, have: tuple[str, ...], output: str, platform: str, as_json:
 
     \b
     Examples:
-      rosml save ghcr.io/me/robot:latest --have ghcr.io/us/ros:jazzy-base --platform linux/arm64 -o robot.tar
+      rosml save ghcr.io/me/robot:latest --have ghcr.io/us/ros:jazzy-base \\
+        --platform linux/arm64 -o robot.tar
       rosml save ghcr.io/me/robot:new --have ghcr.io/me/robot:old -o - | ssh robot rosml load -
     """
     from rosml.base import files, progress_bar

@@ -35,7 +35,8 @@ def main(
     \b
     Example:
       rosml join ghcr.io/me/rosml/ros:ros1-bookworm-core \\
-        ghcr.io/me/rosml/part:{common-cpu-py311,grpc-cpu-py311,tensorflow-cc-cpu,tensorflow-cpu-py311} --tag ghcr.io/me/mine:latest
+        ghcr.io/me/rosml/part:{common-cpu-py311,grpc-cpu-py311,tensorflow-cc-cpu} \\
+        ghcr.io/me/rosml/part:tensorflow-cpu-py311 --tag ghcr.io/me/mine:latest
     """
     from rosml.base.units import duration, size
     from rosml.images.join.joiner import Joiner

@@ -99,7 +99,8 @@ def main(context: click.Context) -> None:
     \b
     Environment:
       ROSML_DOCKER_HUB=0|1  whether Docker Hub answers; setup does not check
-      ROSML_CA_BUNDLE       a company's certificates; also SSL_CERT_FILE, REQUESTS_CA_BUNDLE, CURL_CA_BUNDLE
+      ROSML_CA_BUNDLE       a company's certificates, as SSL_CERT_FILE,
+                            REQUESTS_CA_BUNDLE and CURL_CA_BUNDLE are
       BUILDX_BUILDER        use this builder
 
     \b
