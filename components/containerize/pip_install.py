@@ -20,6 +20,8 @@ import shlex
 import subprocess
 import sys
 import tempfile
+from collections import deque
+from functools import partial
 from importlib.metadata import distributions
 from pathlib import Path
 from typing import Any, Callable, Container, Iterable, NoReturn, Sequence
@@ -82,9 +84,59 @@ def fragment(sha256: str, info: dict[str, Any]) -> str:
 
 
 def run(arguments: Sequence[str]) -> None:
-    done = subprocess.run([sys.executable, "-m", "pip", "install", *arguments])
-    if done.returncode:
-        fail(f"pip ended with {done.returncode}", "the lines above say why")
+    """Installs, and prints what pip prints. Ends the program if pip fails."""
+    last: deque[str] = deque(maxlen=KEPT_LINES)
+    with subprocess.Popen(
+        [sys.executable, "-m", "pip", "install", *arguments], stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+    ) as pip:
+        assert pip.stdout
+        for piece in iter(partial(pip.stdout.readline, LONGEST), b""):
+            sys.stdout.buffer.write(piece)
+            sys.stdout.flush()
+            last.append(piece.decode("utf-8", "replace"))
+    if pip.returncode:
+        refused = refusal("".join(last))
+        fail(*refused or (f"pip ended with {pip.returncode}", "the lines above say why"))
+
+
+KEPT_LINES = 200
+"""How many of pip's last lines may say why it refuses something."""
+
+CONSTRAINTS = Path("/usr/local/share/rosml")
+"""Where our images have constraints.txt, what ROS needs, and constraints.d with what their parts hold."""
+
+HELD = re.compile(r"^ +The user requested \(constraint\) ([A-Za-z0-9][A-Za-z0-9._-]*)(.*)$", re.MULTILINE)
+DEMAND = re.compile(r"^ +(?:(\S+)( \S+) depends on|The user requested) ([A-Za-z0-9][A-Za-z0-9._-]*)(.*)$", re.MULTILINE)
+"""What pip says of a conflict: a constraint, and a requirement with the package that has it."""
+
+
+def refusal(output: str) -> tuple[str, str] | None:
+    """The error and its remedy if pip refuses a package because of what the image keeps to; None if it failed for another reason."""
+    demands = {normal(name): (user, version, name + rest) for user, version, name, rest in DEMAND.findall(output)}
+    for name, rest in HELD.findall(output):
+        if normal(name) not in demands:
+            continue
+        user, version, need = demands[normal(name)]
+        text = f"{user}{version} needs {need}" if user else f"the requirements for pip name {need}"
+        fitting = f"a release of {user} that takes {name}{rest}" if user else f"{name} without a version"
+        if normal(name) in names_in(CONSTRAINTS.glob("constraints.txt")):
+            return (
+                f"{text[:300]}, and ROS's packages in this image work with {name}{rest}",
+                f"ask for {fitting}; or take a base image with another {name} (docs/installs.md); or install it into an"
+                " environment of its own, which ROS does not use (docs/use/python.md)",
+            )
+        if normal(name) in names_in(CONSTRAINTS.glob("constraints.d/*.txt")):
+            return (
+                f"{text[:300]}, and the image has {name}{rest}",
+                f"ask for {fitting}; or take a base image of another stack (rosml list); or replace {name} for Python by"
+                " unpinned pip install, in a script after the installation of dependencies (docs/use/python.md)",
+            )
+    return None
+
+
+def names_in(files: Iterable[Path]) -> set[str]:
+    """The packages that files of constraints name."""
+    return {normal(re.split("[^A-Za-z0-9._-]", item, maxsplit=1)[0]) for file in files for item in lines_of(file)}
 
 
 PLACE = "direct_url.json"
