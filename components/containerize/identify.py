@@ -282,22 +282,22 @@ SHOWN = 12
 
 
 def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosdep) -> NoReturn:
-    """Ends the program with the reason for each unknown key, which comes with those that ask for it."""
-    elsewhere = []
+    """Ends the program with one error: the reason for each unknown key, which comes with those that ask for it, and what to do."""
     version = os.environ.get("ROS_VERSION", "")
     foreign_keys = [key for key in unknown if version in OTHER and OTHER[version].fullmatch(key)]
     foreign = {name for key in foreign_keys for name in unknown[key]}
     if foreign:  # their keys are for the other ROS, which is all to say of them
         unknown = {key: names for key, names in unknown.items() if names - foreign}
-    for number, (key, names) in enumerate(unknown.items()):
+    elsewhere, texts = [], []
+    for key, names in unknown.items():
         why, ruled = rosdep.why_not(key, packages)
         elsewhere += [key] if ruled else []
         what = f"has no rule for {key} on {rosdep.system}" if ruled else f"does not know {key}"
-        if number < SHOWN:
-            why = "" if rosdep.failure and not ruled else f"; {why}"  # lists that were not fetched may have it
-            print(f"error: rosdep {what} (asked for by {', '.join(sorted(names))}){why}", file=sys.stderr)
-    if len(unknown) > SHOWN:
-        print(f"and {len(unknown) - SHOWN} keys more", file=sys.stderr)
+        why = "" if rosdep.failure and not ruled else f" ({why})"  # lists that were not fetched may have it
+        texts.append(f"rosdep {what}, which {', '.join(sorted(names))} {'asks' if len(names) == 1 else 'ask'} for{why}")
+    if len(texts) > 1 or (texts and (foreign or rosdep.failure)):
+        more = [f"and {len(texts) - SHOWN} keys more"] if len(texts) > SHOWN else []
+        print("\n".join([*texts[:SHOWN], *more]), file=sys.stderr)
     if foreign:
         other = {"1": "2", "2": "1"}[version]
         fail(
@@ -312,8 +312,9 @@ def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosde
             f"check the network; or name lists with --rosdep-index, such as a checkout of ros/rosdistro; or {skip}",
         )
     fail(
-        f"rosdep knows no package for {len(unknown)} of the keys",
-        f"check the names; put a package that is missing into a .repos file, or name other lists with --rosdep-index; or {skip}",
+        texts[0] if len(texts) == 1 else f"rosdep knows no package for {len(texts)} of the keys",
+        "correct a wrong name in package.xml; put a package that is missing into a .repos file, or name other lists with --rosdep-index;"
+        f" or {skip}",
     )
 
 

@@ -104,7 +104,8 @@ def test_a_key_without_a_package_is_told_with_its_reason(
 ) -> None:
     what = f"has no rule for {key} on Debian bookworm" if "one for" in why else f"does not know {key}"
     text = printed(identify, capsys, key, "boost")
-    assert f"error: rosdep {what} (asked for by arm); {why}\n" in text and text.endswith(f"--skip-keys '{key}'")
+    assert text.startswith(f"error: rosdep {what}, which arm asks for ({why}); correct a wrong name in package.xml; ")
+    assert text.endswith(f"--skip-keys '{key}'") and "\n" not in text, "one cause is one error"
 
 
 def test_keys_with_rules_elsewhere_can_be_left_out_by_a_line_to_copy(
@@ -114,7 +115,8 @@ def test_keys_with_rules_elsewhere_can_be_left_out_by_a_line_to_copy(
     text = printed(identify, capsys, "angels", "only_on_ubuntu", "rti-connext-dds-6.0.1")
     assert text.endswith("--skip-keys 'only_on_ubuntu rti-connext-dds-6.0.1'")
     many = printed(identify, capsys, *(f"of_nobody_{number:02d}" for number in range(30)))
-    assert many.count("error: rosdep does not know") == 12 and "and 18 keys more\n" in many
+    assert many.count("rosdep does not know") == 12 and "and 18 keys more\n" in many
+    assert many.count("error: ") == 1
 
 
 @pytest.mark.parametrize(
@@ -184,8 +186,8 @@ def test_lists_that_were_not_fetched_may_have_a_key(
     offline.failure = "https://a: no name"
     monkeypatch.setattr(identify, "Rosdep", lambda: offline)
     text = printed(identify, capsys, "angels", "only_on_ubuntu")
-    assert "error: rosdep does not know angels (asked for by arm)\n" in text
-    assert "no rule for only_on_ubuntu on Debian bookworm (asked for by arm); there is one for ubuntu\n" in text
+    assert text.startswith("rosdep does not know angels, which arm asks for\n") and text.count("error: ") == 1
+    assert "no rule for only_on_ubuntu on Debian bookworm, which arm asks for (there is one for ubuntu)\n" in text
     assert "rosdep's lists could not be fetched: https://a: no name; those of the image do not know all keys" in text
 
 
