@@ -80,8 +80,13 @@ class Robot:
         self.cache = f"{services.registry}/me/cache"
 
     def write(self, name: str, text: str = "") -> None:
-        (self.folder / name).parent.mkdir(parents=True, exist_ok=True)
-        (self.folder / name).write_text(text)
+        """Writes a file; with a manifest, also the files by which colcon builds packages."""
+        place = self.folder / name
+        place.parent.mkdir(parents=True, exist_ok=True)
+        place.write_text(text)
+        if place.name == "package.xml":
+            (place.parent / "CMakeLists.txt").touch()
+            (place.parent / "setup.py").touch()
 
     def put(self, name: str = "rosml/ros:jazzy", *platforms: str, **options: Any) -> str:
         return put(self.services, name, *platforms, **{"ROS_DISTRO": "jazzy", **options})

@@ -31,6 +31,7 @@ def build_images(call: Call) -> Result:
         verdict.require_same_addons(followed_lock, call.values.addons, base, slim)
         verdict.require_allowed(call, base, slim)
         inputs = contexts.write(call, base, slim, followed_lock)
+        verdict.require_build_files(call, inputs)
         headings.begin()
         with stages.open_cache(call) as cache:
             chosen = stages.choose(call, inputs, followed_lock, cache)

@@ -13,11 +13,13 @@ from rosml.containerize import lock
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image.base import Base
 from rosml.containerize.build import bases
+from rosml.containerize.build.bake_file import Inputs
 from rosml.containerize.build.call import Call
 from rosml.containerize.build.outcome import Outcome
 from rosml.containerize.build.report import Facts, TestResults
 from rosml.containerize.lock import Lock
 from rosml.containerize.names import SLIM
+from rosml.containerize.packages import manifest, workspace
 from rosml.images.image_set import restricted
 from rosml.registry import references
 from rosml.registry.client import Registries
@@ -59,6 +61,14 @@ def require_allowed(call: Call, base: Base, slim: Base | None) -> None:
                 notice = restricted.require(parts, image.name, place.host, place.repository, declared())
                 if notice:
                     call.say(notice)
+
+
+def require_build_files(call: Call, inputs: Inputs) -> None:
+    """Checks that colcon can build the packages of the folder, unless a script may still change them."""
+    if not inputs.hooked:
+        without = {*(inputs.contexts["requests"] / workspace.BLACKLIST).read_text().split()}
+        variables = {"ROS_VERSION": inputs.base.environment.get("ROS_VERSION", ""), "ROS_DISTRO": inputs.conditions}
+        manifest.require_build_files(call.folder, inputs.contexts["target"] / "target", variables, without)
 
 
 # ---- After the packages were built -----------------------------------------------------------------------------------

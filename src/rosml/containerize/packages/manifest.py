@@ -29,6 +29,17 @@ _GENERATIONS = {1: ("roscpp", "rospy", "message_generation"), 2: ("rclcpp", "rcl
 _WITHOUT_ORDER = ("doc_depend", "group_depend")
 """Dependencies for which colcon builds nothing first: those of the documentation, and groups, which are no packages."""
 
+_USUAL_KIND = "catkin"
+"""The build type of a package whose manifest names none: https://ros.org/reps/rep-0149.html#build-type"""
+
+_BUILT_BY = {
+    "catkin": workspace.PLAIN,
+    "ament_cmake": workspace.PLAIN,
+    "cmake": workspace.PLAIN,
+    "ament_python": "setup.py",
+}
+"""The file that a package of a build type has beside its manifest."""
+
 Conditional = tuple[tuple[str, str], ...]
 """Texts, each with its condition."""
 
@@ -119,6 +130,26 @@ def require_one_ros(folder: Path, base: str, ros: int, ros_distro: str, without:
         text += f"; {some(rest)} {'is' if len(rest) == 1 else 'are'} for ROS {ros}"
         remedy = f"leave them out: put a file COLCON_IGNORE into their folders; for images of them, {remedy}, and leave out the others"
     raise RosmlError(text, remedy, exit_code=2)
+
+
+def require_build_files(
+    folder: Path, staged: Path, variables: Mapping[str, str], without: Collection[str] = ()
+) -> None:
+    """Checks that the packages of a folder, without some, have the file by which colcon builds them: it has no message about a missing
+    one. `staged` is what the builder gets of the folder. Conditions compare with `variables`, as in `require_order`."""
+    for package, _ in read(folder, IgnoredFiles(folder)):
+        kind = next((text for text, condition in package.kinds if holds(condition, variables)), _USUAL_KIND)
+        file = _BUILT_BY.get(kind)
+        if package.name in without or file is None or os.path.lexists(staged / package.folder / file):
+            continue
+        text = f"{package.manifest} is of a package that colcon builds by {file} ({kind})"
+        if os.path.lexists(folder / package.folder / file):
+            remedy = f"bring it back with a line !{package.folder / file}"
+            raise RosmlError(f"{text}, and .dockerignore leaves it out", remedy, exit_code=2)
+        remedy = (
+            "write one, or correct <build_type>; to leave the package out, put a file COLCON_IGNORE into its folder"
+        )
+        raise RosmlError(f"{text}, and there is none beside it", remedy, exit_code=2)
 
 
 def require_order(manifests: Path, variables: Mapping[str, str], without: Collection[str] = ()) -> None:

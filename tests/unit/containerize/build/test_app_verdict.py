@@ -15,7 +15,7 @@ from fakes.apps import PACKAGE, Robot, leave, robot, services
 from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.containerize import containerize
-from rosml.containerize.build import bake_file, junit
+from rosml.containerize.build import bake_file, junit, step_order
 from rosml.containerize.packages import manifest
 from rosml.containerize.sources import fetch as sources
 from rosml.machine import buildx
@@ -114,6 +114,52 @@ def test_packages_of_another_ros_than_the_base_images_are_named(
         assert re.search(remedy, caught.value.remedy) and caught.value.exit_code == 2 and robot.targets == []
         robot.write("src/hand/package.xml", AMENT.format("hand"))
         robot.write("docker/blacklisted-packages.txt", "arm leg\n")
+    robot.build()
+    assert robot.targets
+
+
+KIND = "<package><name>{{}}</name><export><build_type>{}</build_type></export></package>"
+EITHER = (
+    "<package><name>{}</name><export><build_type condition='$ROS_VERSION == 1'>catkin</build_type>"
+    "<build_type condition='$ROS_VERSION == 2'>ament_python</build_type></export></package>"
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "lacking"),
+    [
+        (KIND.format("catkin"), "CMakeLists.txt (catkin)"),
+        (KIND.format("ament_cmake"), "CMakeLists.txt (ament_cmake)"),
+        (KIND.format("cmake"), "CMakeLists.txt (cmake)"),
+        (KIND.format("ament_python"), "setup.py (ament_python)"),
+        ("<package><name>{}</name></package>", "CMakeLists.txt (catkin)"),
+        (EITHER, "setup.py (ament_python)"),
+        (KIND.format("bazel"), ""),
+    ],
+)
+def test_a_package_without_the_file_that_builds_it_is_named_before_anything_is_built(
+    robot: Robot, text: str, lacking: str
+) -> None:
+    """colcon ends with a traceback there, after everything was installed. The shell of `rosml dev` needs no such file."""
+    robot.put(ROS_VERSION="2")
+    robot.write("src/arm/package.xml", text.format("arm"))
+    for name in ("CMakeLists.txt", "setup.py"):
+        (robot.folder / "src/arm" / name).unlink()
+    if lacking:
+        with pytest.raises(RosmlError) as caught:
+            robot.build()
+        says = f"src/arm/package.xml is of a package that colcon builds by {lacking}, and there is none beside it"
+        assert (caught.value.message, caught.value.exit_code, robot.targets) == (says, 2, [])
+        assert caught.value.remedy.startswith("write one, or correct <build_type>")
+        step_order.build_shell_image(robot.call())
+        robot.targets.clear()
+        (robot.folder / "src/arm" / lacking.partition(" ")[0]).touch()
+        robot.write(".dockerignore", lacking.partition(" ")[0].join(("src/arm/", "\n")))
+        with pytest.raises(RosmlError, match=r", and \.dockerignore leaves it out") as caught:
+            robot.build()
+        assert caught.value.remedy == f"bring it back with a line !src/arm/{lacking.partition(' ')[0]}"
+        (robot.folder / ".dockerignore").unlink()
+        robot.write("docker/blacklisted-packages.txt", "arm\n")
     robot.build()
     assert robot.targets
 
