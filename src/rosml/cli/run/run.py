@@ -206,6 +206,8 @@ def start(program: str, typed: Line, caller: Person, files: Files) -> None:
 
 def begin(context: Context, *more: Plugin) -> None:
     """Starts a container, or shows how. `more` are plugins of the caller, after all others."""
+    if not container.only_shown(context.line):
+        gpu.require_present(context)
     plan, machine = planned(questions.settle_trust(context), *more), context.host
 
     def prepare() -> None:

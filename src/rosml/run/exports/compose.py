@@ -85,7 +85,16 @@ def portable(context: Context) -> Context:
 
 
 def text(call: Call) -> str:
-    return yaml_text.text(escaped(content(call)))
+    return _about_gpus(call) + yaml_text.text(escaped(content(call)))
+
+
+def _about_gpus(call: Call) -> str:
+    """What to do with the file on a machine without a GPU: compose's own error names a driver that it could not select."""
+    devices = [f"- {value} from devices" for value in call.values("device") if value.startswith("nvidia.com/")]
+    fields = ["deploy and what is below it"] if call.values("gpus") else devices
+    fields = fields or ["runtime"] * (call.value("runtime") == "nvidia")
+    remedy = f"remove {fields[0]}, and take an image for the CPU (rosml list cpu)." if fields else ""
+    return f"# For a machine with an NVIDIA GPU. Without one, {remedy}\n" if fields else ""
 
 
 def content(call: Call) -> dict[str, Any]:

@@ -38,7 +38,7 @@ def gpu(context: Context) -> Added:
     if line.asks("no-gpu") or not context.is_here or is_theirs(line):
         return NOTHING
     if not is_nvidia(host):
-        return Added(_rendering(context))
+        return Added(_rendering(context), notes=_on_the_cpu(context))
     words = handed_in(context.engine, host)
     if not words:
         return Added(notes=[lacking(context.engine)])
@@ -61,6 +61,28 @@ def is_theirs(line: Line) -> bool:
     """Whether the user chooses the GPUs."""
     devices = any(x.startswith(("nvidia.com/", "/dev/nvidia", "/dev/dri", "/dev/dxg")) for x in line.values("device"))
     return devices or line.has("gpus", "runtime") or line.sets("NVIDIA_VISIBLE_DEVICES")
+
+
+def require_present(context: Context) -> None:
+    """Checks that this machine has the NVIDIA GPU for which --gpus asks: docker would say that it could not select a device driver."""
+    line, engine, host = context.line, context.engine, context.host
+    others = any(host.files(folder) for folder in engine.cdi)
+    if line.has("gpus") and context.is_here and not (engine.podman or is_nvidia(host) or others):
+        text = f"--gpus asks {engine.program} for a GPU, and this machine has none with NVIDIA's driver"
+        raise RosmlError(
+            text, f"leave --gpus out: CUDA's programs then compute on the CPU; {SMALLER}; or install the driver"
+        )
+
+
+SMALLER = "an image for the CPU is smaller (rosml list cpu)"
+
+
+def _on_the_cpu(context: Context) -> Sequence[tuple[str, str]]:
+    """A note about an image with CUDA on a machine without an NVIDIA GPU."""
+    if DRIVER not in context.image.labels:
+        return ()
+    text = f"{context.line.image} has CUDA, and this machine has no GPU with NVIDIA's driver, so programs compute on the CPU"
+    return [(text, f"{SMALLER}; --no-gpu leaves this line out")]
 
 
 def handed_in(engine: Engine, host: Host) -> Sequence[str]:

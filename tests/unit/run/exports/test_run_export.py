@@ -96,6 +96,21 @@ def test_gpus_of_compose(typed: str, expected: dict[str, Any]) -> None:
     assert device == {"driver": "nvidia", **expected}
 
 
+@pytest.mark.parametrize(
+    ("typed", "remove"),
+    [
+        (["--gpus", "all"], "remove deploy and what is below it, "),
+        (["--device", "nvidia.com/gpu=all"], "remove - nvidia.com/gpu=all from devices, "),
+        (["--runtime", "nvidia"], "remove runtime, "),
+        (["--device", "/dev/dri"], ""),
+    ],
+)
+def test_a_file_of_compose_says_what_to_do_without_a_gpu(typed: list[str], remove: str) -> None:
+    comment, rest = "".join(compose.text(call(*typed, "x"))).split("services:", 1)
+    assert rest and bool(comment) == bool(remove)
+    assert comment.startswith("# For a machine with an NVIDIA GPU") == bool(remove) and remove in comment
+
+
 def test_podmans_entry_has_no_word_in_compose() -> None:
     ids = {"user": "1234:5678", "userns_mode": "keep-id"}
     assert ids.items() <= service("--mwd", "x", engine=PODMAN, ours=False).items()

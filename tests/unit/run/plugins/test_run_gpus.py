@@ -83,6 +83,39 @@ def test_the_user_chooses_the_gpus(machine: Machine, words: list[str]) -> None:
         gpu.gpu(machine.context("--device", "/dev/video0", "-e", "A=NVIDIA_VISIBLE_DEVICES", image=image))
 
 
+@pytest.mark.parametrize(
+    ("words", "files", "engine", "refused"),
+    [
+        (["--gpus", "all"], [], Engine(), True),
+        (["--gpus", "all"], [], NVIDIA, True),  # NVIDIA's runtime is installed, and the GPU is gone
+        (["--gpus", "all"], [CARD], Engine(), False),
+        (["--gpus", "all"], ["/etc/cdi/amd.json"], Engine(cdi=CDI_FOLDERS), False),
+        (["--gpus", "all"], [], Engine(machine="elsewhere"), False),
+        (["--gpus", "all"], [], PODMAN_ENGINE, False),
+        ([], [], Engine(), False),
+    ],
+)
+def test_a_gpu_that_the_machine_lacks(
+    machine: Machine, words: list[str], files: list[str], engine: Engine, refused: bool
+) -> None:
+    for file in files:
+        machine.file(file)
+    context = machine.context(*words, engine=engine)
+    if not refused:
+        gpu.require_present(context)
+        return
+    with pytest.raises(RosmlError, match="this machine has none with NVIDIA's driver") as caught:
+        gpu.require_present(context)
+    assert caught.value.remedy.startswith("leave --gpus out") and "rosml list cpu" in caught.value.remedy
+
+
+def test_an_image_with_cuda_computes_on_the_cpu_of_a_machine_without_a_gpu(machine: Machine) -> None:
+    image = Image(labels={gpu.DRIVER: "580"})
+    ((text, remedy),) = gpu.gpu(machine.context(image=image)).notes
+    assert text.startswith("ros:jazzy has CUDA, and this machine has no GPU") and "rosml list cpu" in remedy
+    assert not gpu.gpu(machine.context("--no-gpu", image=image)).notes and not gpu.gpu(machine.context()).notes
+
+
 def test_podman_needs_another_option() -> None:
     context = Machine(Path("/nowhere"), Person(1, 1, "me", "/")).context("--gpus=all", engine=PODMAN_ENGINE)
     assert gpu.gpu(context) == Added(notes=[gpu.FOR_PODMAN])
@@ -261,3 +294,13 @@ def test_gpus_of_this_machine(desk: Desk) -> None:
     desk.engine(info=nvidia, configs={"ours": {"Labels": {"io.rosml.gpu.driver": "580"}}})
     done = desk.call("ours")
     assert done.returncode == 125 and "driver 580" in done.stderr and not desk.called("run")
+
+
+def test_a_call_for_a_gpu_that_is_missing_starts_nothing(desk: Desk) -> None:
+    """A file for another machine may ask for it."""
+    done = desk.call("--gpus", "all", "ubuntu")
+    assert done.returncode == 125 and not desk.called("run")
+    assert "error: --gpus asks docker for a GPU, and this machine has none" in done.stderr
+    assert desk.call("--export", "compose", "--gpus", "all", "ubuntu").stdout.startswith(
+        "# For a machine with an NVIDIA"
+    )
