@@ -128,8 +128,8 @@ def refusal(output: str) -> tuple[str, str] | None:
         if normal(name) in names_in(CONSTRAINTS.glob("constraints.d/*.txt")):
             return (
                 f"{text[:300]}, and the image has {name}{rest}",
-                f"ask for {fitting}; or take a base image of another stack (rosml list); or replace {name} for Python by"
-                " unpinned pip install, in a script after the installation of dependencies (docs/use/python.md)",
+                f"ask for {fitting}; or take a base image of another stack (rosml list); or replace {name} for Python"
+                " by the command unpinned, in a script after the installation of dependencies (docs/use/python.md)",
             )
     return None
 
