@@ -30,7 +30,7 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
     from rosml.base import clock
     from rosml.cli.images import tables
     from rosml.images.image_set import load, search, selection
-    from rosml.images.matrix import support
+    from rosml.images.matrix import lacks, support
 
     image_set = load.load(matrix, ROOT)
     images = search.search(image_set, groups)
@@ -46,6 +46,8 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
         tagged_images = [image for image in images if image.tags]
         tables.print_images(tagged_images or images)
         for line in support.ends(image_set.matrix, (image.distribution for image in images), clock.today()):
+            terminal.say(line, "yellow")
+        for line in lacks.sentences(image_set.matrix, (image.distribution for image in images)):
             terminal.say(line, "yellow")
         if tests := [image for image in images if not image.tags]:
             addons = list(dict.fromkeys(addon for image in tests for addon in image.addons))

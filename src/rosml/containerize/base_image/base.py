@@ -21,6 +21,7 @@ from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import restricted
 from rosml.images.image_set.labels import PREFIX, RESTRICTED, RUNTIME, VERSION
 from rosml.images.image_set.load import load
+from rosml.images.matrix.model import Matrix
 from rosml.images.matrix.tags import DATED, main_tag
 from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import bases, oci, references
@@ -190,6 +191,15 @@ def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest
         registry = registries(services.registry if place.host == DOCKER_HUB else place.host)
         manifest = registry.manifest(place.repository, digest or place.reference)
         return _read(registry, references.parse(name), manifest, platforms) if manifest else None
+
+
+def distribution(base: Base, matrix: Matrix) -> str:
+    """The distribution of the matrix whose ROS a base image has as it is; empty if it has another, or if somebody may have added to it:
+    an image on one of ours has its labels, and another name."""
+    name = base.adopted.image.distribution if base.adopted else base.labels.get(f"{PREFIX}distribution", "")
+    last = base.name.rpartition("/")[2]
+    is_ours = any(last.startswith(f"{framework.repository}:{name}-") for framework in matrix.frameworks.values())
+    return name if name in matrix.distributions and (base.adopted or is_ours) else ""
 
 
 def runtime(base: Base) -> str:

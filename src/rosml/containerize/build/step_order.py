@@ -31,6 +31,7 @@ def build_images(call: Call) -> Result:
         verdict.require_same_addons(followed_lock, call.values.addons, base, slim)
         verdict.require_allowed(call, base, slim)
         inputs = contexts.write(call, base, slim, followed_lock)
+        verdict.require_provided(call, inputs)
         verdict.require_build_files(call, inputs)
         headings.begin()
         with stages.open_cache(call) as cache:
@@ -76,6 +77,7 @@ def build_shell_image(call: Call) -> ShellImage:
         base = bases.with_addons(call, base, followed_lock)
         verdict.require_same_addons(followed_lock, call.values.addons, base, None)
         inputs = contexts.write(call, base, None, followed_lock)
+        verdict.require_provided(call, inputs)
         # It is the same image for each commit: a new one would be no reason to leave a container that runs.
         inputs = replace(inputs, targets=(DESK,), time=contexts.TIME)
         headings.begin()

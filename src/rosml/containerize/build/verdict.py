@@ -8,8 +8,9 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 
 from rosml.base.errors import RosmlError
-from rosml.base.problems import SHOWN, some
+from rosml.base.problems import SHOWN, listed, some
 from rosml.containerize import lock
+from rosml.containerize.base_image import addons
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image.base import Base
 from rosml.containerize.build import bases
@@ -21,6 +22,8 @@ from rosml.containerize.lock import Lock
 from rosml.containerize.names import SLIM
 from rosml.containerize.packages import manifest, workspace
 from rosml.images.image_set import restricted
+from rosml.images.image_set.labels import PREFIX
+from rosml.images.matrix import lacks
 from rosml.registry import references
 from rosml.registry.client import Registries
 
@@ -66,9 +69,46 @@ def require_allowed(call: Call, base: Base, slim: Base | None) -> None:
 def require_build_files(call: Call, inputs: Inputs) -> None:
     """Checks that colcon can build the packages of the folder, unless a script may still change them."""
     if not inputs.hooked:
-        without = {*(inputs.contexts["requests"] / workspace.BLACKLIST).read_text().split()}
-        variables = {"ROS_VERSION": inputs.base.environment.get("ROS_VERSION", ""), "ROS_DISTRO": inputs.conditions}
-        manifest.require_build_files(call.folder, inputs.contexts["target"] / "target", variables, without)
+        staged = inputs.contexts["target"] / "target"
+        manifest.require_build_files(call.folder, staged, _variables(inputs), _left_out(inputs))
+
+
+def require_provided(call: Call, inputs: Inputs) -> None:
+    """Checks that the packages of the folder need nothing that the distribution of the base image lacks (matrix.yaml), unless the
+    workspace has it, or a script may still change them."""
+    base, matrix = inputs.base, addons.rosml_matrix()
+    distribution = app_base.distribution(base, matrix)
+    if inputs.hooked or not distribution:
+        return
+    lacking = {*matrix.distributions[distribution].lacks}.difference(
+        workspace.names(inputs.contexts["manifests"]), re.split(r"[\s,]+", call.values.skip_keys)
+    )
+    needs = manifest.needed(call.folder, _variables(inputs), _left_out(inputs))
+    keys = {key for needed in needs.values() for key in lacking & needed}
+    if not keys:
+        return
+    users = [path for path, needed in needs.items() if lacking & needed]
+    framework, stack = (base.labels.get(f"{PREFIX}{name}", "") for name in ("framework", "stack"))
+    tag = lacks.instead(matrix, distribution, keys, framework, stack)
+    place = "" if base.adopted else f"{base.repository.rpartition('/')[0]}/"
+    remedy = f"take {tag}: --base-image {place}{tag}" if tag else "name another base image"
+    text = (
+        f"{base.name} lacks {listed(sorted(keys))}, which {some(users)} {'depends' if len(users) == 1 else 'depend'} on"
+    )
+    raise RosmlError(
+        text,
+        f"{remedy}; or leave out what your packages run without: --skip-keys '{' '.join(sorted(keys))}'",
+        exit_code=2,
+    )
+
+
+def _variables(inputs: Inputs) -> dict[str, str]:
+    """What conditions in manifests compare with."""
+    return {"ROS_VERSION": inputs.base.environment.get("ROS_VERSION", ""), "ROS_DISTRO": inputs.conditions}
+
+
+def _left_out(inputs: Inputs) -> set[str]:
+    return {*(inputs.contexts["requests"] / workspace.BLACKLIST).read_text().split()}
 
 
 # ---- After the packages were built -----------------------------------------------------------------------------------

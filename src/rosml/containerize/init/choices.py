@@ -15,7 +15,7 @@ from rosml.containerize.init.situation import BY_ENV, Choice, Note, Question, Si
 from rosml.containerize.packages.manifest import Package
 from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image
-from rosml.images.matrix import combinations, names
+from rosml.images.matrix import combinations, lacks, names
 from rosml.images.matrix.model import Matrix
 from rosml.images.matrix.tags import FLOATING
 
@@ -85,7 +85,9 @@ def _component(situation: Situation, row: str) -> Choice:
         if name in available:
             return name
         text = combinations.component_reason(matrix, row, name) or f"{name} only runs programs that are built"
-        raise RosmlError(text, f"take {listed(available, 'or')}", exit_code=2)
+        other = lacks.with_component(matrix, row, name)
+        remedy = f"take {listed(available, 'or')}{f', or --distribution {other}' if other else ''}"
+        raise RosmlError(text, remedy, exit_code=2)
 
     if (before := situation.before(row)) and before.component in available:
         proposal = Choice(before.component, situation.by_repository)

@@ -10,7 +10,7 @@ from rosml.base.problems import listed, unknown
 from rosml.containerize.init import framework, synonyms
 from rosml.containerize.init.situation import Choice, Note, Question, Situation, settle
 from rosml.containerize.packages.manifest import Package
-from rosml.images.matrix import support
+from rosml.images.matrix import lacks, support
 
 DEBIAN = "noetic"
 """The distribution whose name conditions in package.xml compare with if ROS 1 is Debian's own (docs/containerize.md, rosdep)."""
@@ -35,10 +35,18 @@ def notes(situation: Situation, name: str) -> Iterator[Note]:
         others = _sorted(situation, [other for other in living if _fits(situation, other, packages)])
         remedy = f"if your packages allow it, take {listed(others[:3], 'or')}" if others else ""
         yield f"{name} had its end of life on {facts.eol}", remedy
+    other = lacks.other_distribution(situation.matrix, name)
+    instead = f"--distribution {other}" if other else "another distribution"
     compiled = next((package for package in packages if not package.is_python), None)
     if facts.wheels and compiled:
         text = f"{name} builds packages of Python alone, and {compiled.manifest} is none"
-        yield text, "take another distribution, or leave the package out: put COLCON_IGNORE into its folder"
+        yield text, f"take {instead}, or leave the package out: put COLCON_IGNORE into its folder"
+    keys = {*facts.lacks}.difference(package.name for package in packages)
+    for package in packages:
+        if lacking := sorted(keys & package.needs):
+            component = lacks.component_with(situation.matrix, other, frozenset(lacking)) if other else ""
+            text = f"{name} lacks {listed(lacking)}, which {package.manifest} depends on"
+            yield text, f"take {instead}{f' --component {component}' if component else ''}"
 
 
 def has_ended(situation: Situation, name: str) -> bool:

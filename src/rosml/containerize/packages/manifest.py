@@ -132,6 +132,18 @@ def require_one_ros(folder: Path, base: str, ros: int, ros_distro: str, without:
     raise RosmlError(text, remedy, exit_code=2)
 
 
+def needed(folder: Path, variables: Mapping[str, str], without: Collection[str] = ()) -> dict[str, set[str]]:
+    """The keys of what the packages of a folder, without some, depend on, and their build types, by manifest. Conditions compare with
+    `variables`, as in `require_order`."""
+    packages = [package for package, _ in read(folder, IgnoredFiles(folder)) if package.name not in without]
+    return {
+        package.manifest: {
+            text for text, condition in (*package.depends, *package.kinds) if holds(condition, variables)
+        }
+        for package in packages
+    }
+
+
 def require_build_files(
     folder: Path, staged: Path, variables: Mapping[str, str], without: Collection[str] = ()
 ) -> None:

@@ -14,7 +14,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some, unknown
 from rosml.images.image_set import addons, apt_repository, missing_locks, search
 from rosml.images.image_set.model import Image, ImageSet
-from rosml.images.matrix import combinations, names, support
+from rosml.images.matrix import combinations, lacks, names, support
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
 from rosml.images.matrix.tags import FLOATING, main_tag
 
@@ -87,7 +87,8 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
     if name in image_set.groups:
         listed_by = "rosml list" if name in ("parts", "tests") else f"rosml list {name}"
         text = f"{name}: a group of {counted(len(image_set.groups[name]), 'target')}; see them with: {listed_by}"
-        return Explained(name, True, (text,))
+        about = lacks.sentences(image_set.matrix, {name} & image_set.matrix.distributions.keys())
+        return Explained(name, True, ("\n".join([text, *about]),))
     if members := [image for image in image_set.images if name in image.groups]:
         text = f"{name}: a group of no targets: none of its images has a lock; {missing_locks.remedy(members[0])}"
         return Explained(name, True, (text,))
@@ -262,7 +263,9 @@ def _reason(image_set: ImageSet, name: str, reading: Wanted) -> str | None:
     matrix = image_set.matrix
     if reason := combinations.component_reason(matrix, reading.distribution, reading.component):
         base = image_set.base if image_set.base and reading.distribution in image_set.base.distributions else matrix
-        return f"{name} does not exist: {combinations.component_reason(base, reading.distribution, reading.component) or reason}."
+        reason = combinations.component_reason(base, reading.distribution, reading.component) or reason
+        other = lacks.with_component(base, reading.distribution, reading.component)
+        return f"{name} does not exist: {reason}{f'; {other} has it' if other else ''}."
     row, facts = reading.distribution, matrix.frameworks[reading.framework]
     if reading.stack or not facts.parts:
         if reason := combinations.stack_reason(matrix, row, reading.framework, reading.stack):
@@ -360,6 +363,8 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
     yield f"{image.distribution} (ROS {image.ros}) has the component {image.component} and stands on {image.os}"
     yield f"{image.os} has Python {image.python} and numpy{system.numpy}, and is built for {listed(system.architectures)}"
     yield from support.ends(matrix, [image.distribution], clock.today())
+    if sentence := lacks.sentence(matrix, image.distribution, image.framework, image.stack):
+        yield sentence
     if distribution.experimental:
         # The page is about ROS 2 from wheels.
         page = "docs/limits.md says what it has, and " if distribution.wheels else ""

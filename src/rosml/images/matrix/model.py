@@ -356,6 +356,7 @@ class Distribution(Facts):
     wheels: tuple[Pinned, ...] = Field(
         default=(), description="Python packages of ROS 2 itself, instead of Debian packages"
     )
+    lacks: tuple[Word, ...] = Field(default=(), description="ROS packages that people expect of it, and that it lacks")
     tools: Packages | None = Field(
         default=None, description="Debian packages that come first; the developers' tools of its system if left out"
     )

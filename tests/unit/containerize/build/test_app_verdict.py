@@ -164,6 +164,59 @@ def test_a_package_without_the_file_that_builds_it_is_named_before_anything_is_b
     assert robot.targets
 
 
+WHEELS = "ros-torch:jazzy-wheels-core-cu128"
+
+
+def of_python(*depends: str) -> str:
+    needs = "".join(f"<depend>{key}</depend>" for key in depends)
+    return (
+        f"<package><name>arm</name>{needs}<depend condition='$ROS_VERSION == 1'>std_srvs</depend>"
+        "<export><build_type>ament_python</build_type></export></package>"
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "lacks", "tag"),
+    [
+        (of_python("rclpy", "cv_bridge", "launch"), "cv_bridge and launch", "ros-torch:jazzy-perception-cu128"),
+        (of_python("rclpy", "launch"), "launch", "ros-torch:jazzy-base-cu128"),
+        (KIND.format("ament_cmake").format("arm"), "ament_cmake", "ros-torch:jazzy-base-cu128"),
+        (of_python("rclpy", "python3-numpy"), "", ""),
+    ],
+)
+@pytest.mark.parametrize("build", ["images", "shell"])
+def test_what_the_distribution_lacks_is_said_before_anything_is_built(
+    robot: Robot, build: str, text: str, lacks: str, tag: str
+) -> None:
+    facts = {"distribution": "jazzy-wheels", "framework": "torch", "stack": "cu128"}
+    labels = {f"io.rosml.{key}": value for key, value in facts.items()}
+    for name in (f"rosml/{WHEELS}", "me/mine:1"):
+        robot.put(name, ROS_VERSION="2", config={"Labels": labels})
+    robot.write("src/arm/package.xml", text)
+    robot.write("src/robot/COLCON_IGNORE")
+    registry = robot.services.registry
+
+    def build_on(base: str, **inputs: str) -> None:
+        robot.targets.clear()
+        call = robot.call(base_image=f"{registry}/{base}", **inputs)
+        step_order.build_images(call) if build == "images" else step_order.build_shell_image(call)
+        assert robot.targets
+
+    if lacks:
+        with pytest.raises(RosmlError) as caught:
+            build_on(f"rosml/{WHEELS}")
+        assert (caught.value.exit_code, robot.targets) == (2, [])
+        assert caught.value.message.endswith(f"{WHEELS} lacks {lacks}, which src/arm/package.xml depends on")
+        assert caught.value.remedy.startswith(f"take {tag}: --base-image {registry}/rosml/{tag}; or leave out")
+    else:
+        build_on(f"rosml/{WHEELS}")
+    build_on(f"rosml/{WHEELS}", skip_keys=lacks.replace(" and", ","))
+    build_on("me/mine:1")  # somebody may have installed it there
+    for name in filter(None, lacks.split(" and ")):
+        robot.write(f"src/{name}/package.xml", KIND.format("ament_python").format(name))
+    build_on(f"rosml/{WHEELS}")  # the workspace has it
+
+
 SCRIPT = "BEFORE_DEPENDENCY_IDENTIFICATION_SCRIPT=fix\n"
 
 

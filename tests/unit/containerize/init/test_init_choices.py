@@ -149,6 +149,25 @@ def test_ros_from_wheels_builds_python_alone(tmp_path: Path, files: dict[str, st
 
 
 @pytest.mark.parametrize(
+    ("depends", "lacks", "take"),
+    [
+        ("rclpy std_msgs python3-numpy", "", ""),
+        ("rclpy launch_ros", "launch_ros", "--distribution jazzy --component base"),
+        ("launch cv_bridge", "cv_bridge and launch", "--distribution jazzy --component perception"),
+    ],
+)
+def test_what_ros_from_wheels_lacks_is_said_with_the_image_that_has_it(
+    tmp_path: Path, depends: str, lacks: str, take: str
+) -> None:
+    text = manifest(depends=depends, build="ament_python")
+    errors = called(write(tmp_path, {**GO, "package.xml": text}), "--yes", "--distribution", "jazzy-wheels").stderr
+    says = f"jazzy-wheels lacks {lacks}, which package.xml depends on\nremedy: take {take}\n"
+    assert says in errors if lacks else "lacks" not in errors
+    error: Any = called(tmp_path, "--yes", "--distribution", "jazzy-wheels", "--component", "base", code=2).exception
+    assert error.remedy == "take core, or --distribution jazzy"
+
+
+@pytest.mark.parametrize(
     ("text", "does_hold"),
     [
         ("", True),

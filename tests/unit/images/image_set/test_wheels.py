@@ -6,10 +6,12 @@ import re
 from pathlib import Path
 
 import pytest
+from click.testing import CliRunner
 from conftest import ROOT, WHEELS, changed, parse, write_locks
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
+from rosml.cli.images import listing
 from rosml.images.bake import targets
 from rosml.images.bake.inputs import TARGET, Inputs
 from rosml.images.builds.maker import require_buildable
@@ -19,7 +21,7 @@ from rosml.images.image_set.load import load
 from rosml.images.image_set.locked import with_locks
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks import requests, resolve
-from rosml.images.matrix import combinations
+from rosml.images.matrix import combinations, lacks
 
 LOCK = "locks/sigma/amd64/3.12/ros.txt"
 ROW = "distributions.sigma"
@@ -70,6 +72,51 @@ def test_explain_says_where_ros_comes_from(wheels: ImageSet) -> None:
     experimental = parse(changed("    apt: {channel: live}", "    apt: {channel: live}\n    experimental: true"))
     text = explained(experimental, "alpha-core").text
     assert "\n  - alpha is experimental: it never gets the tag latest\n" in text, "the page is about ROS 2 from wheels"
+
+
+LACKS = WHEELS.replace(
+    "    lts: true\n    experimental: true\n", "    experimental: true\n    lacks: [launch, seen, cli, more, last]\n"
+)
+TAKE = "take ros{0}:alpha-base{1}"
+
+
+def test_what_it_lacks_is_said_with_what_to_take_instead(tmp_path: Path) -> None:
+    """It has the same framework on the same stack, if there is such an image."""
+    image_set = parse(LACKS)
+    without = "sigma has ROS 2 for Python alone, without launch, seen, cli, more, last; "
+    assert f"{without}{TAKE.format('', '')}" in explained(image_set, "sigma-core").reasons
+    assert f"{without}{TAKE.format('-torch', '-cu1')}" in explained(image_set, "sigma-core-torch-cu1").reasons
+    assert explained(image_set, "sigma").text.endswith(f"rosml list sigma\n{without}{TAKE.format('', '')}")
+    assert "without" not in explained(image_set, "alpha-core").text
+    assert why_not(image_set, "sigma-base") == (
+        "sigma-base does not exist: sigma (ROS 2) has no base metapackage; it has core; alpha has it."
+    )
+    (tmp_path / "matrix.yaml").write_text(LACKS)
+    for row, expected in (("sigma", [f"{without}{TAKE.format('', '')}"]), ("alpha", [])):
+        output = CliRunner().invoke(listing.main, [row, "--matrix", str(tmp_path / "matrix.yaml")]).output
+        assert [line for line in output.splitlines() if "without launch" in line] == expected
+
+
+def test_labels_of_a_base_image_may_say_anything() -> None:
+    """They choose the framework and the stack of the image to take instead."""
+    matrix = parse(LACKS).matrix
+    for framework, stack in (("torch", "cu9"), ("x", "cu1"), ("torch", ""), ("none", "")):
+        assert lacks.instead(matrix, "sigma", ["launch"], framework, stack) == "ros:alpha-base"
+    assert lacks.instead(matrix, "sigma", ["launch"], "torch", "cu1") == "ros-torch:alpha-base-cu1"
+
+
+def test_a_lock_has_nothing_of_what_a_row_lacks(real: ImageSet) -> None:
+    """In the matrix, and there is another row that has it: perception for what people search there."""
+    for name, row in real.matrix.distributions.items():
+        image = next(it for it in real.images if it.distribution == name)
+        texts = [(ROOT / lock).read_text() for lock in (image.locks if image.wheels else ())]
+        wheels = {
+            wheel.replace("-", "_") for text in texts for wheel in re.findall("^ros-([a-z0-9-]+)==", text, re.MULTILINE)
+        }
+        assert wheels.isdisjoint(row.lacks), name
+        assert bool(row.lacks) == bool(row.wheels), "people expect all of ROS of others"
+    assert lacks.instead(real.matrix, "jazzy-wheels") == "ros:jazzy-base"
+    assert lacks.instead(real.matrix, "jazzy-wheels", ["launch", "cv_bridge"]) == "ros:jazzy-perception"
 
 
 def test_no_other_channel(wheels: ImageSet) -> None:
