@@ -4,6 +4,7 @@ names that say something, short functions and short modules."""
 from __future__ import annotations
 
 import ast
+import fnmatch
 import os
 import re
 import subprocess
@@ -122,3 +123,10 @@ def test_functions_and_modules_are_short() -> None:
     assert [path for path, text in modules() if text.count("\n") > 500] == []
     arguments = ", ".join("abcdefg")
     assert [*long_functions(f"def short(): pass\ndef many({arguments}): pass")] == ["2 many"]
+
+
+def test_pytest_looks_into_every_folder_with_tests(pytestconfig: pytest.Config) -> None:
+    """By itself it passes over folders with names such as build, without a word."""
+    skipped: list[str] = pytestconfig.getini("norecursedirs")
+    folders = {part for file in (ROOT / "tests").rglob("test_*.py") for part in file.relative_to(ROOT).parts[:-1]}
+    assert {name for name in folders for pattern in skipped if fnmatch.fnmatch(name, pattern)} == set()
