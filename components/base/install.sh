@@ -31,7 +31,9 @@ if [[ -n ${RUNTIME:-} ]]; then
 else
   packages=(
     # shell and editing
-    bash-completion less nano vim wget curl ca-certificates openssl gnupg xz-utils
+    bash-completion less nano vim wget curl ca-certificates openssl gnupg
+    # archives, and whether another machine answers
+    xz-utils zip unzip iputils-ping
     # users, processes, locale and time zone
     sudo gosu tini locales tzdata lsb-release procps
     # build tools
@@ -52,6 +54,7 @@ if [[ -n ${ADOPTED:-} ]]; then
   mkdir -p /usr/local/lib/rosml/bin
   ln -s /usr/bin/python3 /usr/local/lib/rosml/bin/python3
   own_pip=$(compgen -G '/usr/local/bin/pip*' || true)
+  own_ping=$(command -v ping || true)
   own_sources=(-o Acquire::Retries=2) # a vendor's archive may be gone for good
 fi
 # apt of Ubuntu 20.04 does not know this mode, and goes on with what it gets.
@@ -66,6 +69,15 @@ apt-get install --yes "${packages[@]}" || {
   exit 1
 }
 if [[ -z ${RUNTIME:-}${own_pip:-} ]]; then "$here/pip.sh"; fi
+if [[ -z ${RUNTIME:-}${own_ping:-} ]]; then
+  # Debian's package gives ping all rights of root or, beside setcap, NET_RAW as an effective capability. Of such a program the kernel
+  # refuses the start where a container lacks NET_RAW, as podman's do (https://github.com/louislam/uptime-kuma/issues/373). With the
+  # permitted capability alone, ping works there as well, by the kernel's sockets for ICMP. Without setcap, whose package would change
+  # what others do: linux/capability.h, struct vfs_cap_data of revision 2, CAP_NET_RAW (13).
+  ping=$(readlink -f "$(command -v ping)")
+  chmod u-s "$ping"
+  python3 -c 'import os, struct, sys; os.setxattr(sys.argv[1], "security.capability", struct.pack("<5I", 2 << 24, 1 << 13, 0, 0, 0))' "$ping"
+fi
 
 # git-lfs writes its settings in an order of its own every time.
 if [[ -e /etc/gitconfig ]]; then

@@ -3,7 +3,7 @@
 set -euo pipefail
 
 tools=(
-  awk sed find lsb_release openssl useradd groupadd sudo git git-lfs gcc g++ make cmake ninja gdb curl wget nano vim less
+  awk sed find lsb_release openssl useradd groupadd sudo git git-lfs gcc g++ make cmake ninja gdb curl wget nano vim less zip unzip ping
   python python3 pip tini gosu colcon rosdep vcs xeyes
   locale-gen
 )

@@ -216,6 +216,12 @@ def tools(root: Root) -> None:
     root.file("root/.bashrc", "source /usr/local/share/rosml/shell.bash\n")
 
 
+def pings(root: Root) -> None:
+    """A ping that nobody's rights, or those of the one who runs the tests, have a say in."""
+    root.program("ping", '[ "$1" != -c ] || echo 64 bytes from 127.0.0.1')
+    root.program("setpriv", 'while [ "${1#--}" != "$1" ]; do shift; done; exec "$@"')
+
+
 def extensions_of_colcon(root: Root) -> None:
     words = "--base-paths --metas --packages-select console_cohesion --cmake-args --cmake-target --catkin-skip-building-tests"
     root.program("colcon", f"case $3 in list) ;; build|test) echo {words} ;; *) exit 2 ;; esac")
@@ -271,6 +277,7 @@ GOOD: dict[str, Callable[[Root], None]] = {
     "packages.sh desktop-full": debian_packages,
     "part_files.py": recorded_files,
     "pins.py": pinned,
+    "ping.sh": pings,
     "pip_check.py": pip,
     "python.sh": python,
     "replaces_nothing.py": part,
@@ -392,6 +399,8 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
     "a uv that keeps to nothing": ("pins.py", variable(UV_CONSTRAINT=""), "UV_CONSTRAINT names [''], and not "),
     "a numpy of any ABI": ("pins.py", text("usr/local/share/rosml/constraints.txt", "empy<4\n"), "nothing keeps numpy"),
     "a requirement of the part": ("pip_check.py", says("pip", "echo 'torch 2.10.0 requires nvidia-cudnn-cu12.'; exit 1"), "1 complaints about part"),
+    "a ping for root alone": ("ping.sh", says("setpriv", "[ $1 != --reuid=65534 ] || exit 2"), "ping fails: setpriv --reuid=65534"),
+    "a ping that demands NET_RAW": ("ping.sh", says("setpriv", "[ $1 != --bounding-set=-net_raw ] || exit 126"), "does not start without NET_RAW"),
     "another Python": ("python.sh", says("python3", "echo 3.12"), "Python 3.12, expected 3.11"),
     "what ROS's tools import": ("replaces_nothing.py", text(f"{SITE}/setuptools/x.py"), "never: ['setuptools']"),
     "a module of Debian's": ("replaces_nothing.py", text(f"{SITE}/rospkg.py"), "without a reason: ['rospkg']"),

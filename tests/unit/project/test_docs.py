@@ -219,7 +219,7 @@ def test_every_image_that_a_page_builds_on_is_one_that_there_is(real: ImageSet) 
 
 def test_old_tags_lead_to_tags_that_there_are(real: ImageSet) -> None:
     page = (ROOT / "docs/migrate.md").read_text().partition("\n## From rocker\n")[0]  # whose table has options
-    rows = re.findall(r"^\| (`.*?) \| (.*) \|$", page, re.MULTILINE)
+    rows = re.findall(r"^\| (`[^`]*:.*?) \| (.*) \|$", page, re.MULTILINE)
     assert len(rows) > 15
     existing, repository = tags(real), ""
     for _, new in rows:
@@ -228,6 +228,36 @@ def test_old_tags_lead_to_tags_that_there_are(real: ImageSet) -> None:
         for tag in re.findall(r"`([^`]+)`", new):
             repository = tag.partition(":")[0] if ":" in tag else repository
             assert (tag if ":" in tag else f"{repository}:{tag}") in existing, new
+
+
+def installed() -> tuple[set[str], set[str]]:
+    """The packages of every image: of those to build in, and of those that only run."""
+    script = (ROOT / "components/base/install.sh").read_text()
+    only_run, build = (
+        {name for line in text.splitlines() if not line.strip().startswith("#") for name in line.split()}
+        for text in re.findall(r"^  packages=\(\n(.*?)^  \)$", script, re.MULTILINE | re.DOTALL)
+    )
+    return build, only_run
+
+
+def test_packages_of_other_images_are_where_the_page_says(real: ImageSet) -> None:
+    section = (ROOT / "docs/migrate.md").read_text().partition("\n### Packages\n")[2].partition("\n### ")[0]
+    rows = re.findall(r"^\| (`.*`) \| (.*) \|$", section, re.MULTILINE)
+    build, only_run = installed()
+    tools = {name: {*system.tools.split()} for name, system in real.matrix.operating_systems.items()}
+    for theirs, place in rows:
+        packages, ours = ({*re.findall(r"`([^`]+)`", cell)} for cell in (theirs, place))
+        if place.startswith("in every image"):
+            assert packages <= build and packages & only_run == ours, theirs
+        elif place.startswith("with `"):
+            assert ours <= build & only_run, theirs
+        elif place.startswith("with ROS"):
+            for system, names in tools.items():
+                assert (packages if system.startswith("ubuntu") else ours) <= names, system
+        else:
+            assert re.match("a line in `docker/additional-|the same", place), place
+            assert not packages & (build | only_run).union(*tools.values()), theirs
+    assert {"zip", "unzip", "iputils-ping", "gdb", "software-properties-common"} <= {*re.findall(r"`([^`]+)`", section)}
 
 
 THEIRS = {
