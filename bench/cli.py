@@ -7,7 +7,8 @@ Examples:
                                            what the commands take, here and at another commit
   uv run python -m bench scale             a night of 2,000 images, simulated
   uv run python -m bench app               rosml containerize beside Dockerfiles that people write by hand
-  uv run python -m bench page              write docs/performance.md from the results that were saved
+  uv run python -m bench container         a container beside a bare process: its start, and what nodes take in it
+  uv run python -m bench page              write docs/performance.md and docs/scale.md from the results that were saved
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from pathlib import Path
 
 import click
 
-from bench import addons, app, commands, fleet, pull, results, scale, second_image, start
+from bench import addons, app, commands, container, fleet, pull, results, scale, second_image, start
 from bench.scale_night import Load
 from rosml import ROOT
 from rosml.base.errors import RosmlError
@@ -155,15 +156,26 @@ def app_() -> None:
     _keep(app.measure(Services.load(ROOT), _say))
 
 
+@main.command("container", context_settings=HELP)
+def container_() -> None:
+    """A container of ROS 1 beside a bare process, with this machine's Docker.
+
+    \b
+    Examples:
+      uv run python -m bench container
+    """
+    _keep(container.measure(Services.load(ROOT), load.load(ROOT / "matrix.yaml", ROOT).matrix, _say))
+
+
 @main.command(context_settings=HELP)
 def page() -> None:
-    """Writes docs/performance.md and its plots from bench/results.
+    """Writes docs/performance.md, docs/scale.md and their plots from bench/results.
 
     \b
     Examples:
       uv run python -m bench page
     """
-    results.write_page()
+    results.write_pages()
 
 
 def _keep(result: results.Result) -> None:

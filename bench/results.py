@@ -1,4 +1,4 @@
-"""What was measured, as JSON in `bench/results`, and the page that is written from it.
+"""What was measured, as JSON in `bench/results`, and the pages that are written from it.
 
 A measurement stands for itself: whoever reads the page sees the command, the day, the machine and all sides of one run.
 """
@@ -22,7 +22,7 @@ from rosml.base.terminal import show, table
 from rosml.base.units import duration, size
 
 FOLDER = ROOT / "bench/results"
-PAGE = ROOT / "docs/performance.md"
+PAGES = (ROOT / "docs/performance.md", ROOT / "docs/scale.md")
 PLOTS = ROOT / "docs/images/performance"
 
 
@@ -33,6 +33,7 @@ def _seconds(value: float) -> str:
 
 WRITTEN: dict[str, Callable[[float], str]] = {
     "s": _seconds,
+    "ms": lambda value: f"{value:.3f} ms" if value < 10 else f"{value:.0f} ms",
     "B": lambda value: f"{value / 1e12:.2f} TB" if value >= 1e12 else size(int(value)),
     "ratio": "{:.2f}".format,
     "": "{:,.0f}".format,
@@ -50,7 +51,7 @@ class Row:
     Attributes:
         what: what somebody waits for, or pays.
         values: one for each side, in the unit; None if that side does not have it.
-        unit: of the values: `s`, `B`, `ratio`, or nothing for a count.
+        unit: of the values, one of `WRITTEN`.
         goal: what the last side shall be, in words.
         met: whether it is; None if there is no goal.
         command: what somebody types, if it is not the measurement's own command.
@@ -119,27 +120,29 @@ def load() -> dict[str, Result]:
     return {item["name"]: Result(**item | {"rows": [Row(**row) for row in item["rows"]]}) for item in content}
 
 
-def page(text: str, results: dict[str, Result]) -> str:
-    """The page with each result in its place: between `<!-- measured: <name> -->` and `<!-- end -->`.
+def pages(texts: Sequence[str], results: dict[str, Result]) -> list[str]:
+    """The pages with each result in its place: between `<!-- measured: <name> -->` and `<!-- end -->`.
 
     Raises:
         RosmlError: a result has no place, or a place no result.
     """
-    places = re.findall(r"<!-- measured: ([\w-]+) -->", text)
+    places = [name for text in texts for name in re.findall(r"<!-- measured: ([\w-]+) -->", text)]
     if sorted(places) != sorted(results):
         differ = ", ".join(sorted({*places} ^ {*results}))
-        raise RosmlError(f"{PAGE.name} and {FOLDER.name} differ: {differ}", "give each result one place on the page")
+        raise RosmlError(f"{FOLDER.name} and the pages differ: {differ}", "give each result one place on a page")
 
     def written(place: re.Match[str]) -> str:
         return f"{place[1]}\n{_section(results[place[2]])}{place[3]}"
 
-    return re.sub(r"(<!-- measured: ([\w-]+) -->)\n.*?(<!-- end -->)", written, text, flags=re.DOTALL)
+    place = re.compile(r"(<!-- measured: ([\w-]+) -->)\n.*?(<!-- end -->)", re.DOTALL)
+    return [place.sub(written, text) for text in texts]
 
 
-def write_page() -> None:
-    """Writes the page and its plots."""
+def write_pages() -> None:
+    """Writes the pages and their plots."""
     results = load()
-    files.write(PAGE, page(PAGE.read_text(), results))
+    for path, text in zip(PAGES, pages([path.read_text() for path in PAGES], results), strict=True):
+        files.write(path, text)
     PLOTS.mkdir(exist_ok=True)
     for result in results.values():
         files.write(PLOTS / f"{result.name}.svg", plot(result))
@@ -184,7 +187,13 @@ def plot(result: Result) -> str:
 
 
 def _drawing(title: str, wide: int, high: int, shapes: Iterable[str]) -> str:
-    colours = (("#8c959f", "#656c76"), ("#0969da", "#4493f8"), ("#1a7f37", "#3fb950"), ("#9a6700", "#d29922"))
+    colours = (
+        ("#8c959f", "#656c76"),
+        ("#0969da", "#4493f8"),
+        ("#1a7f37", "#3fb950"),
+        ("#9a6700", "#d29922"),
+        ("#8250df", "#a371f7"),
+    )
     light = " ".join(f".side{number} {{ fill: {colour} }}" for number, (colour, _) in enumerate(colours))
     dark = " ".join(f".side{number} {{ fill: {colour} }}" for number, (_, colour) in enumerate(colours))
     return "\n  ".join([

@@ -33,7 +33,7 @@ else
     # shell and editing
     bash-completion less nano vim wget curl ca-certificates openssl gnupg
     # archives, and whether another machine answers
-    xz-utils zip unzip iputils-ping
+    xz-utils zip unzip iputils-ping libcap2-bin
     # users, processes, locale and time zone
     sudo gosu tini locales tzdata lsb-release procps
     # build tools
@@ -70,13 +70,10 @@ apt-get install --yes "${packages[@]}" || {
 }
 if [[ -z ${RUNTIME:-}${own_pip:-} ]]; then "$here/pip.sh"; fi
 if [[ -z ${RUNTIME:-}${own_ping:-} ]]; then
-  # Debian's package gives ping all rights of root or, beside setcap, NET_RAW as an effective capability. Of such a program the kernel
-  # refuses the start where a container lacks NET_RAW, as podman's do (https://github.com/louislam/uptime-kuma/issues/373). With the
-  # permitted capability alone, ping works there as well, by the kernel's sockets for ICMP. Without setcap, whose package would change
-  # what others do: linux/capability.h, struct vfs_cap_data of revision 2, CAP_NET_RAW (13).
-  ping=$(readlink -f "$(command -v ping)")
-  chmod u-s "$ping"
-  python3 -c 'import os, struct, sys; os.setxattr(sys.argv[1], "security.capability", struct.pack("<5I", 2 << 24, 1 << 13, 0, 0, 0))' "$ping"
+  # Debian 12 gives ping NET_RAW as an effective capability, and the kernel refuses to start such a program in a container without NET_RAW, as
+  # podman's are (https://github.com/louislam/uptime-kuma/issues/373). Debian 13 gives it nothing. With the permitted capability,
+  # ping starts everywhere. It takes NET_RAW if it gets it, and otherwise one of the kernel's sockets for ICMP.
+  setcap cap_net_raw+p "$(readlink -f "$(command -v ping)")"
 fi
 
 # git-lfs writes its settings in an order of its own every time.

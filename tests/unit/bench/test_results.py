@@ -1,4 +1,4 @@
-"""What was measured, and the page that shows it."""
+"""What was measured, and the pages that show it."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ PAGE = "# Page\n\n<!-- measured: waits -->\nwhat an earlier run gave\n<!-- end -
 
 
 def test_a_result_stands_in_its_place() -> None:
-    page = results.page(PAGE, {"waits": RESULT})
+    page, other = results.pages([PAGE, "# Other\n"], {"waits": RESULT})
     assert "| help | 0.20 s | 0.10 s | 0.12 s: met |" in page
     assert "| bytes & requests |  | 2.0 MB |  |" in page
     assert "what an earlier run gave" not in page and page.endswith("<!-- end -->\n\nWhy.\n")
-    assert results.page(page, {"waits": RESULT}) == page
+    assert results.pages([page, other], {"waits": RESULT}) == [page, "# Other\n"]
 
 
-@pytest.mark.parametrize("page", ["# Page\n", f"{PAGE}<!-- measured: other -->\n<!-- end -->\n"])
-def test_no_result_is_left_out(page: str) -> None:
+@pytest.mark.parametrize("texts", [["# Page\n"], [PAGE, "<!-- measured: other -->\n<!-- end -->\n"], [PAGE, PAGE]])
+def test_no_result_is_left_out(texts: list[str]) -> None:
     with pytest.raises(RosmlError, match="differ: "):
-        results.page(page, {"waits": RESULT})
+        results.pages(texts, {"waits": RESULT})
 
 
 def test_bars_of_a_row_compare_its_sides() -> None:
@@ -43,9 +43,10 @@ def test_bars_of_a_row_compare_its_sides() -> None:
     assert wide == [results.BARS, results.BARS / 2, results.BARS], "what a side lacks has no bar"
 
 
-def test_the_page_and_its_plots_are_current() -> None:
+def test_the_pages_and_their_plots_are_current() -> None:
     """`python -m bench page` writes both."""
     measured = results.load()
-    assert results.page(results.PAGE.read_text(), measured) == results.PAGE.read_text()
+    texts = [page.read_text() for page in results.PAGES]
+    assert results.pages(texts, measured) == texts
     for name, result in measured.items():
         assert (results.PLOTS / f"{name}.svg").read_text() == results.plot(result)
