@@ -16,6 +16,7 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.programs import Pin, parse_pin
 from rosml.base.units import duration, size
+from rosml.machine.setup import go_in_docker
 from rosml.machine.setup.process import Call, detached, end_group, output_of, run
 from rosml.machine.setup.state import State
 from rosml.machine.setup.tool_cache import ToolCache
@@ -175,24 +176,33 @@ class Installer:
     def _build(self, name: str, program: Path) -> None:
         pin = self.pin(name)
         title = f"{name} {pin.version}"
-        go = self.go()
+        in_docker = "" if shutil.which("go", path=self.go_path()) or name in C_PROGRAMS else self._docker()
+        go = "go" if in_docker else self.go()
         free = shutil.disk_usage(self.state.folder).free
         if free < BUILD_BYTES:
             text = f"{size(free)} of disk are free; building {name} takes {size(BUILD_BYTES)} for the moment"
             raise RosmlError(text, "free some disk space")
-        self.state.say(f"{title}: building from its Go module")
+        where = " in your Docker, as Go is not installed" if in_docker else ""
+        self.state.say(f"{title}: building from its Go module{where}")
         started = time.monotonic()
         link = f"-s -w -X {VERSIONS[name].format(pin.version)}" if name in VERSIONS else "-s -w"
         flags = ["-trimpath", "-ldflags", link, *([FLAGS[name]] if name in FLAGS else [])]
-        build = [go, "build", *flags, "-o", str(program), pin.package]
-        log = self.state.log / f"build-{name}.log"
-        env = {**self.go_environment(), "CGO_ENABLED": "1" if name in C_PROGRAMS else "0"}
-        run(self.state.say, Call(title, build, log, env, self.module(name)))
+        if in_docker:
+            go_in_docker.build(self.state, in_docker, self.module(name), [go, *flags, pin.package], program)
+        else:
+            argv, log = [go, "build", *flags, "-o", str(program), pin.package], self.state.log / f"build-{name}.log"
+            env = {**self.go_environment(), "CGO_ENABLED": "1" if name in C_PROGRAMS else "0"}
+            run(self.state.say, Call(title, argv, log, env, self.module(name)))
         self.state.say(f"{title}: built from its Go module in {duration(time.monotonic() - started)}")
+
+    def _docker(self) -> str:
+        """The user's Docker, if it answers."""
+        docker = shutil.which("docker", path=self.outer_path())
+        return docker if docker and output_of([docker, "info", "--format", "{{.ServerVersion}}"]).strip() else ""
 
     def go(self) -> str:
         path = shutil.which("go", path=self.go_path())
-        remedy = f"install Go {dotted(OLDEST_GO)} or newer (https://go.dev/dl) and call this again"
+        remedy = f"install Docker, or Go {dotted(OLDEST_GO)} or newer (https://go.dev/dl), and call this again"
         if path is None:
             raise RosmlError("Go is not installed; it builds the tools that this machine lacks", remedy)
         version = version_in(output_of([path, "version"]))

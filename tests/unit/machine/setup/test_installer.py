@@ -156,6 +156,31 @@ def test_an_engine_that_was_built_serves_the_tests_of_other_checkouts(state: Sta
     assert not {*built} & {*bare.read_text().splitlines()}
 
 
+DOCKER = """\
+if [ "$1" = info ]; then echo 29.9.3; exit; fi
+for word; do case $word in
+  --output=*) dest=${{word##*dest=}} ;;
+  --file=*) cat "${{word#--file=}}" >{folder}/Dockerfile ;;
+esac; done
+echo "$@" >{folder}/words; mkdir -p "$dest"; echo >"$dest/program"
+"""
+
+
+def test_without_go_docker_builds_a_program(state: State, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its image is pinned, and the user's proxy for modules counts, whose password stays out of files."""
+    go_module(state, "registry")
+    shutil.copy(ROOT / "tools/images.txt", state.root / "tools")
+    docker = program(state.root / "mine", "docker", DOCKER.format(folder=state.root))
+    monkeypatch.setenv("PATH", f"{docker.parent}:/usr/bin:/bin")
+    monkeypatch.setenv("GOPROXY", "https://me:pw-of-proxy@proxy.example")
+    monkeypatch.setattr(Installer, "go_path", lambda self: "/nowhere")
+    assert Path(Installer(state).go_program("registry")).read_text() == "\n"
+    text = (state.root / "Dockerfile").read_text()
+    assert re.match(r"FROM golang:\S+@sha256:[0-9a-f]{64} AS build\nARG GOPROXY\n", text)
+    assert "--build-arg GOPROXY" in (state.root / "words").read_text() and "pw-of-proxy" not in text
+    assert not list(state.folder.glob("tmp*"))
+
+
 def test_missing_rights_are_reported_before_minutes_of_compiling(
     state: State, bare: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -308,7 +333,7 @@ def test_no_go(state: State, go: Path, monkeypatch: pytest.MonkeyPatch, text: st
         program(go.parent, "go", text)
     with pytest.raises(RosmlError, match=reason) as caught:
         Installer(state).go_program("regctl")
-    assert "install Go" in caught.value.remedy
+    assert "install Docker, or Go" in caught.value.remedy
 
 
 def test_go_build_needs_disk(state: State, go: Path, monkeypatch: pytest.MonkeyPatch) -> None:
