@@ -1,28 +1,30 @@
-"""Docker's own BuildKit as the builder: setup takes it, and it makes the images that our buildkitd makes."""
+"""Builders that are not our own: Docker's own BuildKit, and remote ones."""
 
 from __future__ import annotations
 
 import json
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from rosml.images.records.store import Records
 from rosml.machine.services import Services
+from rosml.machine.setup import fitness
 from tests.e2e import engine, mini
+from tests.e2e.builders import builder
 from tests.e2e.calls import run
 from tests.e2e.images import NATIVE
 
-pytestmark = pytest.mark.skipif(
-    engine.version({}) < engine.ZSTD and not (engine.CURRENT / "dockerd").exists(),
-    reason="no current Docker is here: 'rosml setup engine' builds one",
-)
+CURRENT = "no current Docker is here: 'rosml setup engine' builds one"
 
 
 @pytest.fixture(scope="module")
 def docker() -> Iterator[engine.Engine]:
+    if engine.version({}) < engine.ZSTD and not (engine.CURRENT / "dockerd").exists():
+        pytest.skip(CURRENT)
     with engine.running(bridge="rosml-e2e") as docker:
         yield docker
 
@@ -69,3 +71,18 @@ def built(project: mini.Mini, env: dict[str, str]) -> dict[str, str]:
     names = [name for name in book.registry.tags(book.repository) if name.endswith(f".{NATIVE}")]
     entries = {name: book.read(*name.rpartition(".")[::2]) for name in names}
     return {entry.target: entry.digest for entry in entries.values() if entry}
+
+
+def test_two_remote_buildkitds(own_builders: None, services: Services, tmp_path: Path) -> None:
+    """Setup tries the builder that BUILDX_BUILDER names, and builds as long as one of its nodes does."""
+    env = services.environment()
+    with builder("remote-one", tmp_path / "1", services) as one, builder("remote-two", tmp_path / "2", services) as two:
+        append = ["create", "--name", one.name, "--append", "--driver", "remote", f"unix://{two.folder}/buildkitd.sock"]
+        assert run(*services.buildx, *append, env=env).code == 0
+        remote = replace(services, builder=one.name, builder_kind="user")
+        for node in (two, one):
+            fitness.require(remote)
+            node.process.terminate()
+            node.process.wait()
+        with pytest.raises(fitness.Unfit, match="is inactive"):
+            fitness.require(remote)
