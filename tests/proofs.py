@@ -27,7 +27,7 @@ PROOFS = {
     "cuda": Proof(40),
     # Windows of desktop images: rviz by X11, and Qt by Wayland.
     "desktop": Proof(25),
-    # rosml run and rosml attach with podman, with root and without it.
+    # rosml run and rosml attach with podman, with root too.
     "engines": Proof(4),
     # What users install next by pip and uv leaves PyTorch, TensorFlow, CUDA and ROS as they are.
     "everyday": Proof(20),

@@ -17,6 +17,7 @@ REASONS = (
     "this machine has only a loopback address, where a registry without certs.d speaks plain http",
     "no buildx on this machine; 'rosml setup' installs it",  # make unit does without; make test sets it up
     "no podman with a generator of units is here",
+    "no podman is here that needs no root: 'make test-packages' installs it",
     "no Docker before 23 is here",
     "no current Docker is here: 'rosml setup engine' builds one",
     "no xauth is here",
