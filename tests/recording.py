@@ -175,8 +175,9 @@ def record(names: list[str]) -> dict[str, Command]:
 
 
 def handed(docker: engine.Engine, reference: str) -> dict[str, str]:
-    """Variables for the engine. An old one cannot pull what is compressed by zstd, so it gets the image."""
+    """Variables for the engine, which has the image already. An old one cannot pull what is compressed by zstd."""
     if docker.reads_zstd:
+        docker.pull(reference)
         return dict(docker.environment)
     with tempfile.TemporaryDirectory() as folder:
         name = docker.image(Services.load(ROOT), reference, "recording", Path(folder))
