@@ -225,6 +225,8 @@ def main(number: int, child: int, *words: str) -> None:
     while True:
         processes = running()
         apart = {1, *ancestors(processes, os.getpid()), *([child] if "terminal" in words else [])}
+        # Other children of the entrypoint are calls of this file: two signals may come at once. They would wait for each other.
+        apart |= {pid for pid, process in processes.items() if process.parent == os.getppid() and pid != child}
         scope = {
             pid: process
             for pid, process in processes.items()

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import pytest
 
+from fakes.stubs import script_of_a_build
 from rosml import ROOT
 
 BASE = ROOT / "components/base"
@@ -311,6 +312,29 @@ def test_other_signals_reach_the_command(tmp_path: Path, terminal: bool) -> None
     started = Started(tmp_path, terminal, "node", "a", "USR1,HUP", "0.1")
     started.up("a")
     assert started.ended(signal.SIGUSR1).files == {"a": "up USR1 saved"}
+
+
+def test_two_stops_at_once_do_not_wait_for_each_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Process 1 is the container's own. The command, 7, has ended; 66 and 67 are the two stops."""
+    stop = script_of_a_build("base/stop.py")
+    words = ("/usr/bin/python3", "/usr/local/share/rosml/stop.py", "2", "7", "all")
+    facts = {
+        "started": "1",
+        "group": 6,
+        "stdin": "",
+        "outputs": ("", ""),
+        "ignores": 1 << (signal.SIGINT - 1),
+        "catches": 0,
+    }
+    processes = {
+        pid: stop.Process(pid=pid, parent=parent, program=program, words=words, **facts)
+        for pid, parent, program in [(1, 0, "tini"), (6, 1, "bash"), (66, 6, "python3"), (67, 6, "python3")]
+    }
+    monkeypatch.setattr(stop, "running", lambda: processes)
+    monkeypatch.setattr(os, "getpid", lambda: 66)
+    monkeypatch.setattr(os, "getppid", lambda: 6)
+    monkeypatch.setattr(os, "kill", lambda pid, number: pytest.fail(f"{pid} gets {number}"))
+    stop.main(2, 7, "all")
 
 
 def test_what_ignores_a_stop_is_waited_for(tmp_path: Path) -> None:
