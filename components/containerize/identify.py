@@ -305,16 +305,17 @@ def explain(unknown: dict[str, set[str]], packages: Iterable[str], rosdep: Rosde
             f"name a base image with ROS {other} by --base-image; or leave them out: put COLCON_IGNORE into their folders,"
             " or name them in docker/blacklisted-packages.txt",
         )
-    skip = f"leave out what your packages run without: --skip-keys '{' '.join(elsewhere or unknown)}'"
+    skip = f"--skip-keys '{' '.join(elsewhere or unknown)}'"
     if rosdep.failure:
         fail(
             f"rosdep's lists could not be fetched: {rosdep.failure}; those of the image do not know all keys",
-            f"check the network; or name lists with --rosdep-index, such as a checkout of ros/rosdistro; or {skip}",
+            "check the network; or name lists with --rosdep-index, such as a checkout of ros/rosdistro; or name packages of apt in"
+            f" docker/additional-debs.txt, and skip their keys: {skip}",
         )
     fail(
         texts[0] if len(texts) == 1 else f"rosdep knows no package for {len(texts)} of the keys",
         "correct a wrong name in package.xml; put a package that is missing into a .repos file, or name other lists with --rosdep-index;"
-        f" or {skip}",
+        f" or leave out what your packages run without: {skip}",
     )
 
 
