@@ -132,11 +132,14 @@ def _up_user(state: State, services: Services) -> None:
     """The builder that BUILDX_BUILDER names. It is the user's, so we only check it."""
     try:
         _boot(state, services)
-        fitness.require(services)
     except RosmlError as error:
         remedy = "start that builder, or unset BUILDX_BUILDER to have one made"
         raise RosmlError(f"BUILDX_BUILDER={services.builder}: {error.message}", remedy) from None
     state.say(f"builder: yours, '{services.builder}' (BUILDX_BUILDER); it must reach http://{services.registry}")
+    try:
+        fitness.require(services)
+    except fitness.Unfit as unfit:  # pods do not reach this machine's loopback, and push elsewhere (--registry)
+        state.say(f"builder: it could not push a small image there; name a registry that it reaches: {unfit.message}")
     state.say("builder: its configuration decides whether code of a repository reaches what listens there")
 
 

@@ -410,6 +410,14 @@ def test_builder_of_the_user(state: State, buildx: Path, monkeypatch: pytest.Mon
     monkeypatch.setattr(fitness, "require", lambda _: None)
     builder.up(state, user, "")
     assert (state.root / "calls").read_text() == "inspect --bootstrap rosml\n"
+
+    def unfit(_: Services) -> None:
+        raise fitness.Unfit("connection refused")
+
+    monkeypatch.setattr(fitness, "require", unfit)
+    lines: list[str] = []
+    builder.up(replace(state, say=lines.append), user, "")  # a builder in a cluster pushes elsewhere
+    assert any("connection refused" in line for line in lines)
     (state.root / "broken").touch()
     with pytest.raises(RosmlError, match="BUILDX_BUILDER=rosml") as caught:
         builder.up(state, user, "")
