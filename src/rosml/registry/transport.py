@@ -191,6 +191,7 @@ class Transport:
             except Transient as error:
                 attempt += 1
                 self._reached = self._reached or error.connected
+                self._answered = self._answered or (error.connected and not isinstance(error, Limited))
                 seconds = retries.pause(error, attempt, self._reached)
                 if seconds is None:
                     raise self._final(error) from None

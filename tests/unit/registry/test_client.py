@@ -329,6 +329,12 @@ def test_too_many_requests(
     assert server.count("manifests") == requests
 
 
+def test_a_limit_after_another_failure_passes(server: LocalRegistry, registry: Registry) -> None:
+    server.fault("GET", "/manifests/", DROP)
+    server.fault("GET", "/manifests/", 429)
+    assert registry.manifest("a", "x") is None
+
+
 @pytest.mark.parametrize("code", [400, 409, 412])
 def test_a_tag_that_may_not_move(server: LocalRegistry, registry: Registry, code: int) -> None:
     """The same content is no failure; other content is refused at once."""
