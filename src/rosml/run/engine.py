@@ -202,7 +202,8 @@ def _name_advice(image: str) -> str:
     if "/" in image:
         return "check its name"
     if ":" in image:
-        return f"if it is one of rosml's, write its place as well, such as 127.0.0.1:40123/rosml/{image}"
+        place = f"if it is one of rosml's, write its place as well, such as ghcr.io/me/rosml/{image}"
+        return f"{place}; if it is of your packages, rosml containerize builds it"
     if "-" in image:
         return f"if it is a target, `rosml image {image}` builds it and says what to run"
     return f"if it is the command, an image goes before it: rosml run IMAGE {image}"

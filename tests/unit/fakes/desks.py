@@ -111,7 +111,8 @@ import os, sys
 from pathlib import Path
 from rosml.run import host
 from rosml.cli import command
-command.IN_CHECKOUT = False
+from rosml.cli.run import run as of_run
+command.IN_CHECKOUT, of_run.ROOT = False, Path(os.environ.get("DESK_CHECKOUT", "/nowhere"))
 host.ROOT, sys.argv = Path(sys.argv[1]), ["rosml", *sys.argv[2:]]
 if uid := os.environ.get("DESK_UID", ""):
     from dataclasses import replace
@@ -120,7 +121,8 @@ if uid := os.environ.get("DESK_UID", ""):
 from rosml.cli.main import run
 sys.exit(run())
 """
-"""Starts rosml as an installed command, with another folder in the place of /, and as somebody else for whom the container runs, if DESK_UID says so."""
+"""Starts rosml as an installed command, with another folder in the place of /, and as somebody else for whom the container runs, if DESK_UID says so; its checkout is
+DESK_CHECKOUT."""
 
 
 BARE = Host(Path("/dev/null/nothing"))

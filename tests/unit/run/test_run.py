@@ -14,6 +14,10 @@ from pathlib import Path
 import pytest
 
 from fakes.desks import DOCKER, OTHER, OURS, PODMAN, UID, Desk, docker_desk, labelled, plain
+from fakes.http_registry import local_registry
+from fakes.stubs import services
+from rosml.registry import oci
+from rosml.registry.client import Registry
 from rosml.run import host
 
 
@@ -225,7 +229,10 @@ def test_podman_takes_a_registry_of_this_machine_without_tls(
     ("image", "remedy"),
     [
         ("jazzy-base", "if it is a target, `rosml image jazzy-base` builds it"),
-        ("ros-torch:jazzy", "such as 127.0.0.1:40123/rosml/ros-torch:jazzy"),
+        (
+            "ros-torch:jazzy",
+            "such as ghcr.io/me/rosml/ros-torch:jazzy; if it is of your packages, rosml containerize builds",
+        ),
         ("ros2", "an image goes before it: rosml run IMAGE ros2"),
         ("me/ros:core@sha256:1", "take its tag: me/ros:core"),
         ("./my_package", "it is a path: rosml run -v FOLDER:/mnt IMAGE mounts it"),
@@ -235,6 +242,20 @@ def test_an_image_that_nobody_has(desk: Desk, image: str, remedy: str) -> None:
     done = desk.call(image)
     assert done.returncode == 125 and remedy in done.stderr.partition("remedy: ")[2] and not desk.called("run")
     assert f"pull access denied\nerror: no image {image} here, and docker cannot pull it\n" in done.stderr
+
+
+@pytest.mark.parametrize("repository", ["robot", "rosml/robot"])
+def test_a_short_name_is_one_of_the_local_registry(desk: Desk, tmp_path: Path, repository: str) -> None:
+    """`rosml containerize` and `rosml image` put images there, if no Docker has them."""
+    with local_registry() as server, Registry(server.address) as registry:
+        registry.put_manifest(repository, "latest-dev", {"schemaVersion": 2, "mediaType": oci.IMAGE, "layers": []})
+        name = f"{server.address}/{repository}:latest-dev"
+        desk.engine(images={}, registry={name: OURS})
+        checkout = {"DESK_CHECKOUT": str(services(tmp_path, server.address).root)}
+        assert f"docker pull {name}" in desk.call("--dry-run", "robot:latest-dev", **checkout).stderr
+        assert desk.call("robot:latest-dev", "pwd", **checkout).returncode == 0
+        assert desk.ran[-2:] == [name, "pwd"]
+        assert "error: no image other:latest here" in desk.call("other:latest", **checkout).stderr
 
 
 def test_docker_that_reads_no_zstd_is_the_first_reason_why_it_cannot_pull(desk: Desk) -> None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from rosml import IN_CHECKOUT, ROOT
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
 from rosml.cli import command
@@ -184,7 +185,7 @@ def start(program: str, typed: Line, caller: Person, files: Files) -> None:
         for text in files.summary(typed):
             terminal.echo(text, err=True)
     line = files.under(typed)
-    image, name = line.image, "" if line.has("replace") else basic_options.name_of(line, caller)
+    name = "" if line.has("replace") else basic_options.name_of(line, caller)
     line, facts = _with_variant(program, line, caller, name)
     if facts.container:
         attach.check_same(program, line, caller, facts.container, facts.image)
@@ -193,12 +194,13 @@ def start(program: str, typed: Line, caller: Person, files: Files) -> None:
     questions.allow(typed, files.project)
     if facts.image is None and container.only_shown(line):
         raise engine.lacking(program, line.image)
-    if facts.image is None and line.image == image:
+    if facts.image is None:
         engine.pull(program, line)
+        pulled = line.image
         line, facts = _with_variant(program, line, caller)
-    if facts.image is None and line.image != image:
-        engine.pull(program, line)
-        facts = engine.ask(program, line.image, "")
+        if facts.image is None and line.image != pulled:
+            engine.pull(program, line)
+            facts = engine.ask(program, line.image, "")
     if facts.image is None:
         raise engine.still_lacking(program, line.image)
     begin(Context(line, facts.engine, caller, facts.image, host.host(os.environ)))
@@ -229,6 +231,10 @@ def _with_variant(
     from rosml.run import engine
 
     facts = engine.ask(program, line.image, name)
+    is_here = facts.engine.is_on(host.host(os.environ))
+    if facts.image is None and is_here and (local := _in_local_registry(line.image)):
+        line = replace(line, image=local)
+        facts = engine.ask(program, local, name)
     if facts.image is None or variants.LABEL not in facts.image.labels:
         return line, facts
     context = Context(line, facts.engine, caller, facts.image, host.host(os.environ))
@@ -238,6 +244,21 @@ def _with_variant(
     why = "what the call asks for" if elsewhere else "this machine"
     terminal.echo(f"rosml: {line.image} is there for several accelerators; {variant} is the one for {why}", err=True)
     return replace(line, image=variant), engine.ask(program, variant, name)
+
+
+def _in_local_registry(image: str) -> str:
+    """The complete name of an image that the local registry of a checkout has; empty if it has none, or the name names a registry."""
+    if not IN_CHECKOUT:
+        return ""
+    from rosml.delivery import pulled_layers  # only for an image that the engine lacks
+    from rosml.machine.services import Services
+    from rosml.registry.client import Registries
+
+    with suppress(RosmlError), Registries() as registries:
+        services = Services.load(ROOT)
+        name = pulled_layers.complete(image, services, registries)
+        return name if services.registry and name.startswith(f"{services.registry}/") and name != image else ""
+    return ""
 
 
 def planned(context: Context, *more: Plugin) -> Plan:

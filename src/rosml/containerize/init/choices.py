@@ -103,7 +103,7 @@ def _component(situation: Situation, row: str) -> Choice:
 
 
 def _command(situation: Situation, distribution: str) -> Choice:
-    """What the run image starts: a launch file, or the only program of Python; a shell if neither is likely."""
+    """What the run image starts: a launch file, or the only program; a shell if neither is likely."""
     wish, of_env = situation.wishes.command, situation.surroundings.env.get("COMMAND")
     if of_env and not wish:
         return Choice(_shell_words(of_env), BY_ENV)
@@ -123,28 +123,32 @@ def _shell_words(command: str) -> str:
 def _proposed_command(situation: Situation, distribution: str) -> Choice:
     facts, packages = situation.matrix.distributions[distribution], situation.scan.packages
     launches = [(package, file) for package in packages for file in package.launches]
-    scripts = [(package, name) for package in packages for name in package.scripts]
+    programs = [(package, name) for package in packages for name in package.programs]
     if facts.wheels:  # there is no command ros2, and no launch (docs/limits.md)
-        if len(scripts) == 1:
-            return Choice(_installed(*scripts[0]), f"the only program, by its path: {distribution} has no ros2")
+        if len(programs) == 1:
+            return Choice(_installed(*programs[0]), f"the only program, by its path: {distribution} has no ros2")
         return Choice(SHELL, f"a shell, as {distribution} has no ros2; --command names another")
     launch, run = ("roslaunch", "rosrun") if facts.ros == 1 else ("ros2 launch", "ros2 run")
     for startable, verb, why in (
         (launches, launch, "the only launch file"),
         (list(_likely(launches)), launch, "the likeliest launch file"),
-        ([] if launches else scripts, run, "the only program"),
+        (
+            [] if launches else programs,
+            run,
+            "the only program; it needs a roscore" if facts.ros == 1 else "the only program",
+        ),
     ):
         if len(startable) == 1:
             package, name = startable[0]
             return Choice(f"{verb} {shlex.join((package.name, name))}", why)
-    count = counted(*((len(launches), "launch file") if launches else (len(scripts), "program")))
-    why = f"a shell, as there are {count}" if launches or scripts else "a shell"
-    return Choice(SHELL, f"{why}; --command names another")
+    count = counted(*((len(launches), "launch file") if launches else (len(programs), "program")))
+    why = f"there are {count}" if launches or programs else "there is no launch file and no program"
+    return Choice(SHELL, f"a shell, as {why}; --command names another")
 
 
-def _installed(package: Package, script: str) -> str:
-    """The path at which colcon installs a program of a Python package whose setup.cfg is as ROS's tools write it."""
-    return shlex.quote(f"{INSTALLED}/{package.name}/lib/{package.name}/{script}")
+def _installed(package: Package, program: str) -> str:
+    """The path at which colcon installs a program of a package; of one in Python if its setup.cfg is as ROS's tools write it."""
+    return shlex.quote(f"{INSTALLED}/{package.name}/lib/{package.name}/{program}")
 
 
 def _likely(launches: Sequence[Startable]) -> Iterator[Startable]:

@@ -12,6 +12,7 @@ from pathlib import Path
 from rosml.base import files
 from rosml.containerize import inputs, within
 from rosml.containerize.ignored_files import IgnoredFiles
+from rosml.containerize.init import cmake_programs
 from rosml.containerize.packages import manifest, workspace
 from rosml.containerize.packages.manifest import Package
 
@@ -121,7 +122,7 @@ def _scanned(
     package: Package, folder: Path, ignored: IgnoredFiles, mentions: _Mentions, budget: Iterator[int]
 ) -> Package:
     """A package with what its files say. `budget` has an item for each source file that may still be read."""
-    languages, launches, scripts = set[str](), list[str](), list[str]()
+    languages, launches, programs = set[str](), list[str](), list[str]()
     for file in _files(folder / package.folder, ignored):
         in_launch = file.parent.name == "launch"
         if file.name not in _SETUP and not in_launch:
@@ -130,10 +131,13 @@ def _scanned(
             launches.append(file.name)
         if _patterns(file) and next(budget, None) is not None:
             text = _read(file, str(file.relative_to(folder)), mentions)
-            scripts += _SCRIPT.findall(text) if file.name in _SETUP else ()
+            if file.name in _SETUP:
+                programs += _SCRIPT.findall(text)
+            elif file.name == workspace.PLAIN:
+                programs += cmake_programs.installed(text)
     ordered = tuple(name for name in LANGUAGES if name in languages)
-    scripts = list(dict.fromkeys(scripts))
-    return replace(package, languages=ordered, launches=tuple(sorted(launches)), scripts=tuple(scripts))
+    unique = tuple(dict.fromkeys(programs))
+    return replace(package, languages=ordered, launches=tuple(sorted(launches)), programs=unique)
 
 
 def _read(file: Path, path: str, mentions: _Mentions, patterns: tuple[re.Pattern[str], ...] | None = None) -> str:

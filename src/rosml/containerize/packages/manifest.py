@@ -56,7 +56,7 @@ class Package:
     depends: Conditional = ()  # the keys after which colcon builds it
     languages: tuple[str, ...] = ()
     launches: tuple[str, ...] = ()  # names of its launch files
-    scripts: tuple[str, ...] = ()  # names of its Python programs in `setup.py` or `setup.cfg`
+    programs: tuple[str, ...] = ()  # names of those that `setup.py`, `setup.cfg` or `CMakeLists.txt` installs
 
     @property
     def manifest(self) -> str:

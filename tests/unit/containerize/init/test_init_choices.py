@@ -119,6 +119,16 @@ def test_which_accelerator_fits_a_machine(
 
 
 GO = {"setup.py": "x = ['go = arm.go:main']\n"}
+CATKIN = """\
+catkin_install_python(PROGRAMS scripts/go.py ${OTHERS}
+  DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})
+install(FILES go.yaml DESTINATION ${CATKIN_PACKAGE_SHARE_DESTINATION})
+"""
+AMENT = """project(arm) add_executable(go src/go.cpp)
+add_library(arm src/arm.cpp)
+install(TARGETS arm go ARCHIVE DESTINATION lib RUNTIME DESTINATION "lib/${PROJECT_NAME}")
+"""
+COMPONENT = 'rclcpp_components_register_node(arm PLUGIN "Go" EXECUTABLE go_node)'
 
 
 @pytest.mark.parametrize(
@@ -130,6 +140,11 @@ GO = {"setup.py": "x = ['go = arm.go:main']\n"}
         ("jazzy", GO, "ros2 run arm go"),
         ("jazzy", {"setup.cfg": "[options.entry_points]\nconsole_scripts =\n  go = arm.go:main\n"}, "ros2 run arm go"),
         ("jazzy", {"setup.py": "x = ['a = arm.a:main', 'b = arm.b:main']\n"}, "bash"),
+        ("noetic", {**package(build="catkin", depends="rospy"), "CMakeLists.txt": CATKIN}, "rosrun arm go.py"),
+        ("jazzy", {"CMakeLists.txt": AMENT}, "ros2 run arm go"),
+        ("jazzy", {"CMakeLists.txt": COMPONENT}, "ros2 run arm go_node"),
+        ("jazzy", {"CMakeLists.txt": AMENT + COMPONENT}, "bash"),
+        ("jazzy", {"CMakeLists.txt": f"# {COMPONENT}\nadd_executable(a a.cpp)\ninstall(TARGETS a DESTINATION bin)"}, "bash"),
         ("jazzy", {}, "bash"),
         ("jazzy-wheels", {**GO, "launch/a.launch.py": ""}, "/docker-ros/ws/install/arm/lib/arm/go"),
         ("jazzy-wheels", {"launch/a.launch.py": ""}, "bash"),
@@ -304,7 +319,7 @@ def test_a_terminal_is_asked(tmp_path: Path, terminal: None) -> None:
         *["How much of ROS [base] (the build installs what your packages need beyond it)"] * 2,
         "Framework for machine learning [torch] (src/Node.py:1 names torch)",
         "Accelerator [cpu] (this machine has no NVIDIA GPU)",
-        *["Command to start [bash] (a shell)"] * 2,
+        *["Command to start [bash] (a shell, as there is no launch file and no program)"] * 2,
         "CI file for [none] (no forge is known)",
     ]
     assert "no distribution named 'humbl'; did you mean 'humble'?" in done.stderr
