@@ -80,7 +80,8 @@ def _no_tag(image: Image, why: str) -> RosmlError:
     if why.startswith(ABSENT):
         remedy = "try it later, or build from ROS's packages before their release: ROS_CHANNEL=testing rosml image"
     elif why.startswith(WAITING):
-        remedy = f"use a machine that reaches the base image, or {base_images.name_another(image.os)}"
+        remedy = f"use a machine that reaches the base image, or {base_images.name_another(image.os)}; without a name of an image,"
+        remedy += f" {command.call()} image builds one that this machine can build"
     return RosmlError(f"{image.target} gets no tag: {why}", remedy)
 
 

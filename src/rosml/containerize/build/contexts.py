@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import shlex
 import shutil
 import time
 from collections.abc import Mapping, Sequence
@@ -94,6 +95,10 @@ def write(call: Call, base: Base, slim: Base | None, followed_lock: Lock | None)
     if call.renew:  # an earlier build may have installed older versions
         (requests / "renewed").write_text(f"{time.time()}\n")
     _say_odd_sources(call, staged / "target", private)
+    if unread := workspace.unread_lists(requests, staged / "target"):
+        say(
+            f"pip does not install what {some(unread)} names: that takes --additional-pip-file {shlex.quote(unread[0])}"
+        )
     packages = counted(counts["target"] + counts["upstream"], "package")
     packages += f", and {counts['downstream']} that use them," if counts["downstream"] else ""
     say(f"{packages} for {', '.join(call.names.platforms)}")

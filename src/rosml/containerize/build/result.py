@@ -78,7 +78,7 @@ class Result:
         ):
             if replaced:
                 changes = f"its packages change {counted(len(replaced), 'thing')}: {_first(replaced)}"
-                yield "", f"not joined to {base}, of which {changes}"
+                yield "", f"not joined to {base}, and rosml rebase cannot move it: {changes}"
         if outcome.outside:
             names = _first([f"/{name}" for name in outcome.outside])
             yield "", f"installed outside of the install space, and in no image: {names}"

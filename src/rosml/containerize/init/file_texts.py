@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from rosml.base.errors import RosmlError
 from rosml.containerize import ignored_files
 from rosml.containerize import inputs as app_inputs
-from rosml.containerize.init.packages import PIP
+from rosml.containerize.packages import workspace
 from rosml.images.matrix.model import Matrix
 from rosml.run import defaults
 
@@ -145,7 +145,7 @@ def variables(project: Project) -> dict[str, str]:
     if project.pip and project.additional.get("additional-pip-file", project.pip[0]) in project.pip:
         values["ADDITIONAL_PIP_FILE"] = project.pip[0]
         if len(project.pip) > 1:
-            values |= {"ADDITIONAL_PIP_FILE": PIP, "ENABLE_RECURSIVE_ADDITIONAL_PIP": "true"}
+            values |= {"ADDITIONAL_PIP_FILE": workspace.PIP, "ENABLE_RECURSIVE_ADDITIONAL_PIP": "true"}
     if project.keys:
         values["SKIP_KEYS"] = " ".join(project.keys)
     if project.repos and project.is_one_of_several:

@@ -25,9 +25,6 @@ LANGUAGES = {
     "Python": (".py",),
 }
 
-PIP = "requirements.txt"
-"""The file in which Python packages name what pip is to install."""
-
 REPOS = ".repos"
 
 ADDITIONAL = ("additional-debs-file", "additional-pip-file", "blacklisted-packages-file")
@@ -71,10 +68,10 @@ def find(folder: Path, libraries: Libraries, env: Mapping[str, str] | None = Non
             mentions.add(key, text, max(text.find(f">{key}<"), 0), package.manifest, by_manifest=True)
     budget = iter(range(MOST_FILES))
     packages = tuple(_scanned(package, folder, ignored, mentions, budget) for package, _ in manifests)
-    paths = dict.fromkeys([Path(PIP), *(package.folder / PIP for package in packages)])
+    paths = dict.fromkeys([Path(workspace.PIP), *(package.folder / workspace.PIP for package in packages)])
     pip = [str(path) for path in paths if _is_list(folder, str(path))]
-    if PIP in pip:
-        _read(folder / PIP, PIP, mentions, _REQUIREMENTS)
+    if workspace.PIP in pip:
+        _read(folder / workspace.PIP, workspace.PIP, mentions, _REQUIREMENTS)
     additional = _additional(folder, env or {})
     for name, pattern in (("additional-pip-file", _REQUIREMENTS), ("additional-debs-file", _DEBS)):
         if (path := additional.get(name)) and path not in pip:

@@ -33,6 +33,9 @@ HIDING = ("COLCON_IGNORE", "CATKIN_IGNORE", "AMENT_IGNORE")
 MANIFEST, PLAIN = "package.xml", "CMakeLists.txt"
 """The file of a ROS package, and that of a package for CMake alone."""
 
+PIP = "requirements.txt"
+"""The file in which Python packages name what pip is to install. `rosml init` writes the input for it."""
+
 LARGEST_TEXT = 1 << 20  # bytes of a list or a script of a repository
 MOST_UNKNOWN = 20  # names that are told one by one
 
@@ -210,6 +213,12 @@ def stale(requests: Path, manifests: Path) -> Iterator[str]:
         yield f"no package is called {name}, which is to be left out{f'; {hint}' if hint else ''}"
     if len(unknown) > MOST_UNKNOWN:
         yield f"{len(unknown) - MOST_UNKNOWN:,} more names are to be left out, and no package has them"
+
+
+def unread_lists(requests: Path, staged: Path) -> list[str]:
+    """The repository's lists for pip, if it reads none."""
+    read = (requests / "pip").read_text()
+    return [] if read else [str(path.relative_to(staged)) for path in _of_name(PIP, staged)]
 
 
 def additional_files(name: str, folder: Path) -> list[Path]:

@@ -150,7 +150,10 @@ def test_a_slim_image_starts_from_the_base_image_without_compilers(robot: Robot)
     run, slim = robot.targets[-2:]
     assert [target["dockerfile-inline"].splitlines()[1] for target in (run, slim)] == ["FROM base", "FROM slim-runtime"]
     assert slim["tags"] == [f"{local}/small:1"]
-    assert "the slim one, of which its packages change 1 thing: usr/bin/less" in dict(result.summary())[""]
+    assert (
+        "the slim one, and rosml rebase cannot move it: its packages change 1 thing: usr/bin/less"
+        in dict(result.summary())[""]
+    )
 
 
 def test_no_slim_image_is_made_if_no_base_image_is_found(robot: Robot) -> None:
@@ -257,6 +260,15 @@ def test_what_git_clone_alone_leaves_is_named(robot: Robot) -> None:
     assert [line.partition(" is not")[0] for line in lines] == [f"the submodule {name}" for name in names[1:]]
     [line] = robot.messages_with("Git LFS")
     assert line.startswith("arm.dae and 1 file more") and "git lfs pull" in line
+
+
+def test_a_list_for_pip_that_no_input_names_is_said(robot: Robot) -> None:
+    robot.write("arm/requirements.txt", "tinydb\n")
+    robot.build()
+    assert robot.messages_with("--additional-pip-file arm/requirements.txt")
+    robot.messages.clear()
+    robot.build(additional_pip_file="arm/requirements.txt")
+    assert not robot.messages_with("additional-pip-file")
 
 
 @pytest.mark.parametrize(

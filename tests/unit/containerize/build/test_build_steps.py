@@ -81,6 +81,8 @@ class Workspace:
             ("/run/sources/.", f"{folder}/src/."),
             ('$(dirname "${BASH_SOURCE[0]}")', str(STEPS)),
             ("=/tmp/log", f"={folder}/log"),
+            ("=/rosml-outside", f"={folder}/outside"),
+            ("mkdir -p /docker-ros/ws", f"mkdir -p {folder}/docker-ros"),
             ("/usr/local/lib/rosml/bin/", f"{folder}/"),
         ):
             assert text in self.script
@@ -181,15 +183,16 @@ def test_a_package_of_another_kind_hides_none_with_a_manifest(files: list[str], 
         place = tmp_path / "ws/src/target" / name
         place.parent.mkdir(parents=True, exist_ok=True)
         place.touch()
-    executable(tmp_path / "colcon", "[ $1 != list ] || echo src/target")
+    executable(tmp_path / "colcon", "[ $1 = list ] || exit 9; echo src/target")
     end = step("workspace.sh target", tmp_path)
-    assert (end.returncode != 0) == bool(hides) and (f"does not build {hides} inside" in end.stderr) == bool(hides)
+    assert end.returncode == (1 if hides else 9) and (f"does not build {hides} inside" in end.stderr) == bool(hides)
 
 
 def step(script: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    """Runs a script of a step with programs of a folder."""
+    """Runs a script of a step with programs of a folder, up to its first call of colcon that fails."""
     (folder / "ws").mkdir(exist_ok=True)
-    (folder / "cp").symlink_to("/bin/true")  # /run/sources is a mount of the build
+    for name in ("cp", "mkdir"):  # /run/sources is a mount of the build, and this machine gets no folders in /
+        (folder / name).symlink_to("/bin/true")
     environment = {"PATH": f"{folder}:{os.environ['PATH']}", "WORKSPACE": str(folder / "ws")}
     name, argument = script.split()
     command = [str(STEPS / name), argument]
