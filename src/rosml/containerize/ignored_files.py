@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -72,10 +73,10 @@ class IgnoredFiles:
         """Whether a folder stays, with everything in it."""
         if folder.is_symlink():
             return self(folder)
-        if (folder / "pyvenv.cfg").is_file() or (folder / SPACE).is_file():
+        if os.path.isfile(folder / "pyvenv.cfg") or os.path.isfile(folder / SPACE):  # False also if nobody may look
             return True
         marks = OUTPUT_FOLDERS.get(folder.name, ())
-        if folder.parent == self._root and any((folder / mark).exists() for mark in marks):
+        if folder.parent == self._root and any(os.path.exists(folder / mark) for mark in marks):
             return True
         return not self._brings_back and self(folder)
 
