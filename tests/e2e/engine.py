@@ -35,6 +35,7 @@ DEBIAN = ("/usr/sbin", "/usr/bin", "/usr/local/bin")
 """Folders in which Debian's docker.io, or Docker itself, put dockerd."""
 ZSTD = (23,)
 """The first Docker that reads zstd."""
+SUBNET = "172.31.255"
 
 
 def version(environment: Mapping[str, str]) -> Version:
@@ -161,7 +162,7 @@ def running(debian: bool = False, bridge: str = "none") -> Iterator[Engine]:
 
     Args:
         debian: Debian's docker.io, however old it is, if one is started.
-        bridge: the name of one that is made for it, as its build steps need one.
+        bridge: the name of one that is made for it, as its build steps need one, with a way out of this machine.
     """
     if version({}):
         yield Engine()
@@ -173,7 +174,9 @@ def running(debian: bool = False, bridge: str = "none") -> Iterator[Engine]:
     settings = {"bridge": bridge, "iptables": False, "ip6tables": False, "ip-masq": False, "userland-proxy": False}
     if bridge != "none":
         subprocess.run(["ip", "link", "add", bridge, "type", "bridge"], check=True)
-        subprocess.run(["ip", "address", "add", "172.31.255.1/24", "dev", bridge], check=True)
+        subprocess.run(["ip", "address", "add", f"{SUBNET}.1/24", "dev", bridge], check=True)
+        subprocess.run(["ip", "link", "set", bridge, "up"], check=True)
+        subprocess.run(_masquerade("--append", bridge), check=True)
     config.write_text(json.dumps(settings))
     host = f"unix://{folder}/socket"
     places = ["--data-root", f"{folder}/data", "--exec-root", f"{folder}/exec", "--pidfile", f"{folder}/pid"]
@@ -192,5 +195,12 @@ def running(debian: bool = False, bridge: str = "none") -> Iterator[Engine]:
         process.kill()
         log.close()
         if bridge != "none":
+            subprocess.run(_masquerade("--delete", bridge), check=False)
             subprocess.run(["ip", "link", "delete", bridge], check=False)
         shutil.rmtree(folder, ignore_errors=True)
+
+
+def _masquerade(action: str, bridge: str) -> list[str]:
+    """The call of iptables that gives containers on a bridge a way out of this machine, or takes it from them."""
+    packets = ["--source", f"{SUBNET}.0/24", "!", "--out-interface", bridge]
+    return ["iptables", "--table", "nat", action, "POSTROUTING", *packets, "--jump", "MASQUERADE"]

@@ -63,15 +63,15 @@ class Person:
         """`rosml run` of an image that they trust, with a container that has no network."""
         return self.rosml("run", "--trust", "--network", "none", *words, typed=typed)
 
-    def other(self, *command: str) -> Run:
-        """What another program says."""
+    def other(self, *command: str, place: Path | None = None, timeout: float = 600) -> Run:
+        """What another program says, in their folder or another one."""
         done = subprocess.run(
             [*self.become, *command],
-            cwd=self.folder,
+            cwd=place or self.folder,
             env=self._variables(),
             capture_output=True,
             text=True,
-            timeout=600,
+            timeout=timeout,
             check=False,
         )
         return Run(done.returncode, done.stdout, done.stderr)

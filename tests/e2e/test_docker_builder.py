@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
+import shutil
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
@@ -10,10 +12,11 @@ from pathlib import Path
 
 import pytest
 
+from rosml import ROOT, user_cache
 from rosml.images.records.store import Records
 from rosml.machine.services import Services
 from rosml.machine.setup import fitness
-from tests.e2e import engine, mini
+from tests.e2e import engine, mini, person
 from tests.e2e.builders import builder
 from tests.e2e.calls import run
 from tests.e2e.images import NATIVE
@@ -49,14 +52,77 @@ def test_setup_takes_it(docker: engine.Engine, services: Services, checkout: Pat
 
 def test_it_makes_the_same_images(docker: engine.Engine, beside: Services, tmp_path: Path) -> None:
     """Layers, labels and all: a digest says so. Nothing stays in Docker, and no tag in the registry that a build needed."""
-    ours = mini.make(tmp_path, beside)
+    ours, before = mini.make(tmp_path, beside), docker.docker("image", "ls", "--quiet").out
     digests = built(ours, {})
     theirs = ours.elsewhere()
     mini.use(ours.folder, builder="default", builder_kind="engine", buildx_config=None)
     assert built(theirs, docker.variables()) == digests
     assert {*mini.PARTS, "ros1-bookworm-core", "ros1-bookworm-base"} <= {name.removeprefix("part-") for name in digests}
-    assert docker.docker("image", "ls", "--quiet").out == ""
+    assert docker.docker("image", "ls", "--quiet").out == before
     assert not [tag for tag in theirs.tags() if "building" in tag]
+
+
+@pytest.mark.full(proof="docker")
+def test_it_is_all_that_a_user_needs(docker: engine.Engine, services: Services) -> None:
+    """The README's first image, started, built on, worked on and moved, by a user without root, Go and tools of ours."""
+    with person.somebody(docker) as user:
+        checkout = clone(user, services)
+
+        def call(*command: str) -> str:
+            done = user.other(*command, place=checkout, timeout=1800)
+            assert done.code == 0, (done.out + done.err)[-5000:]
+            return done.out + done.err
+
+        def image(target: str) -> str:
+            said = call("make", "image", f"TARGET={target}")
+            assert "buildkitd" not in said
+            (reference,) = re.findall(r"^FROM +(\S+)$", said, re.MULTILINE)
+            return str(reference)
+
+        core = image("ros1-bookworm-core")
+        assert "builder: your Docker's own" in call("./rosml", "doctor")
+        program = "import os, rospy; print(os.environ['ROS_DISTRO'])"
+        assert call("docker", "run", "--rm", core, "python3", "-c", program).endswith("Debian\n")
+        assert call("./rosml", "run", "--trust", core, "id", "-u") == f"{user.uid}\n"
+
+        assert "run    compass:latest" in call("./rosml", "containerize", "examples/ros1")
+        assert call("docker", "run", "--rm", "compass", "rospack", "find", "compass").startswith(
+            "/docker-ros/ws/install"
+        )
+        assert call("docker", "run", "--rm", "compass:latest-dev", "gcc", "--version").startswith("gcc")
+        dev = ("./rosml", "dev", "examples/ros1", "--")
+        assert "1 package finished" in call(*dev, "colcon", "build")
+        assert "0 errors, 0 failures" in call(*dev, "sh", "-c", "colcon test && colcon test-result")
+
+        app = f"{core.partition('/')[0]}/robot"
+        call("./rosml", "containerize", "--push", "--image-name", app, "examples/ros1")
+        base = image("ros1-bookworm-base")
+        assert "rospack" in call("./rosml", "rebase", app, "--base", base)
+        call("docker", "pull", "--quiet", app)
+        assert call("docker", "run", "--rm", app, "rospack", "find", "compass").startswith("/docker-ros/ws/install")
+        assert call("docker", "run", "--rm", app, "rospack", "find", "image_transport")
+        call("make", "clean")
+
+
+def clone(user: person.Person, services: Services) -> Path:
+    """A checkout of theirs. They have buildx as a plugin, and the registry's program, which Docker builds if Docker Hub answers."""
+    checkout, plugins, tools = (
+        user.folder / "rosml",
+        user.folder / ".docker/cli-plugins",
+        user.folder / ".cache/rosml/tools",
+    )
+    assert run("git", "clone", "--quiet", str(ROOT), str(checkout)).code == 0
+    for folder in (plugins, tools):
+        folder.mkdir(parents=True)
+    if len(services.buildx) == 1:
+        shutil.copy(services.buildx[0], plugins / "docker-buildx")
+    for program in (user_cache() / "tools").glob("registry-*"):
+        shutil.copy(program, tools)
+    client = Path(str(shutil.which("docker", path=user.environment.get("PATH")))).parent
+    user.environment["PATH"] = f"{client}:/usr/bin:/bin"
+    if user.become:
+        run("chown", "--recursive", f"{user.uid}:{user.uid}", str(user.folder))
+    return checkout
 
 
 def built(project: mini.Mini, env: dict[str, str]) -> dict[str, str]:
