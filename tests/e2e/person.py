@@ -116,6 +116,8 @@ def starts(person: Person, image: str, name: str) -> None:
     done = person.run("--mwd", image, "bash", "-c", "id -u; pwd; echo $ROS_DISTRO; touch made; exit 37")
     assert (done.code, done.out.split()) == (37, [str(person.uid), str(person.folder), "Debian"]), done
     assert (person.folder / "made").stat().st_uid == person.uid
+    home = person.run("--mwd", image, "bash", "-c", "touch ~/.of_rosml && cd && pwd").out.strip()
+    assert home not in ("", str(person.folder)) and not (person.folder / ".of_rosml").exists(), home
     assert person.run(image, "printf", "<%s>", "a  b", "", "$HOME", "*").out == "<a  b><><$HOME><*>"
     assert person.run(image, "cat", typed="piped").out == "piped"
     assert person.run(image, "bash", "-c", "kill -TERM $$").code == 143
@@ -152,5 +154,7 @@ def somebody(docker: engine.Engine) -> Iterator[Person]:
         person.become = ["setpriv", f"--reuid={UID}", f"--regid={UID}", "--clear-groups"]
         person.environment |= docker.environment
         os.chown(folder, UID, UID)
-    yield person
-    shutil.rmtree(folder)
+    try:
+        yield person
+    finally:
+        shutil.rmtree(folder)

@@ -20,6 +20,12 @@ from tests.e2e.person import UID, Person, enters, starts
 TARGET = "ros1-bookworm-core"
 LIMITS = {"nofile": resource.RLIMIT_NOFILE, "nproc": resource.RLIMIT_NPROC}
 
+CDI = Path("/run/cdi")
+DEVICE = """\
+cdiVersion: 0.5.0
+kind: nvidia.com/gpu
+devices: [{name: all, containerEdits: {env: [GPU=made-up]}}]
+"""
 BECOME = f"""\
 for file in passwd group subuid subgid; do mount --bind "$0/$file" "/etc/$file" || exit; done
 exec setpriv --reuid={UID} --regid={UID} --clear-groups "$@"
@@ -78,10 +84,34 @@ def person(request: pytest.FixtureRequest) -> Iterator[Person]:
     shutil.rmtree(folder)
 
 
-def test_an_image_starts_and_is_entered(person: Person, published: Publish) -> None:
+def test_an_image_starts_and_is_entered_and_moves(person: Person, published: Publish) -> None:
     """The image is pulled from the registry as it is there, and so with layers by zstd."""
     image = published(TARGET).reference
     pulled = person.other("podman", "pull", "--quiet", "--tls-verify=false", image)
     assert pulled.code == 0, pulled.err
     starts(person, image, "podman")
     enters(person, image, "podman")
+    has_gpu(person, image)
+    moves(person, image)
+
+
+def has_gpu(person: Person, image: str) -> None:
+    """Asserts that podman hands in a GPU, of which a file of CDI says how."""
+    if os.geteuid() or CDI.exists():
+        return  # the folder is root's, or has the devices of this machine
+    CDI.mkdir()
+    try:
+        (CDI / "nvidia.yaml").write_text(DEVICE)
+        assert person.run("--device", "nvidia.com/gpu=all", image, "printenv", "GPU").out == "made-up\n"
+    finally:
+        shutil.rmtree(CDI)
+
+
+def moves(person: Person, image: str) -> None:
+    """Asserts that a file brings an image to a podman that lacks it."""
+    saved = person.rosml("save", image, "--output", "image.tar")
+    assert saved.code == 0, saved.err
+    assert person.other("podman", "rmi", "--all", "--force").code == 0
+    loaded = person.rosml("load", "image.tar")
+    assert loaded.code == 0, loaded.err
+    assert person.run("--pull=never", image, "printenv", "ROS_DISTRO").out == "Debian\n"
