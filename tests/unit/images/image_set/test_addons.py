@@ -19,6 +19,7 @@ from rosml.images.catalogue import tags_page
 from rosml.images.image_set import addons, explain, locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks import requests
+from rosml.images.publish import status
 from rosml.images.publish.steps import STEPS
 from rosml.images.publish.steps.scan import policy_digest, scan
 
@@ -118,6 +119,12 @@ def test_a_part_whose_test_failed_gets_no_tag(registry: Publisher, image_set: Im
     run = registry.publish(image_set, poisoned=poisoned)
     assert run.failed
     assert "extra-cpu-py312" in registry.tagged("part") and "extra-cpu-py314" not in registry.tagged("part")
+    statuses = {it.target: it for it in status.read(registry.run(image_set, date=NEXT).state, NEXT)}
+    assert statuses["part-extra-cpu-py312"].state == "published"
+    part = statuses["part-extra-cpu-py314"]
+    tester = "omega-core-extra-cpu: tests failed: contract: it is poisoned"
+    assert (part.state, part.reason) == ("failed", f"amd64: {tester}; arm64: {tester}")
+    assert "Expected 0, got 1" in part.log, "no image with a row has it"
 
 
 def test_what_the_policy_stops_in_an_addon_gets_no_tag(
