@@ -203,6 +203,11 @@ def test_where_a_sets_images_go(tmp_path: Path) -> None:
             "  tensorflow:",
             "9: frameworks.tensorflow: none of the stacks of this set has its part tensorflow",
         ),
+        (
+            "default: {targets: [jazzy-base-torch-cu130], group: [jazzy-core]}\n",
+            "",
+            "1: default.group: rosml's are not all in this set; name its own, such as [jazzy-core]",
+        ),
         ("registry:", "version: 2\nregistry:", "2: version: expected 1, found the number 2"),
     ],
 )
