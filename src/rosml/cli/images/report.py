@@ -98,7 +98,7 @@ def cost(state: State, shards: Sequence[Shard]) -> str:
     tags = sum(len(image.tags) for image in state.images)
     return (
         f"this run takes about {minutes} minutes of machine time; "
-        f"{counted(len(state.images), 'image')} with {counted(tags, 'tag')} take about {kept / 1000:.1f} GB in the registry"
+        f"images with {counted(tags, 'tag')} take about {kept / 1000:.1f} GB in the registry"
     )
 
 

@@ -133,6 +133,11 @@ def _log(state: State, thing: Image | Part) -> str:
     return next((text for text in texts if "\n" in text), "")
 
 
+def after_a_number(state: str) -> str:
+    """A state behind a number of images or parts: `2 images published`, `2 images without a lock`."""
+    return "without a lock" if state == UNLOCKED else state
+
+
 @dataclass(frozen=True)
 class Cause:
     """Why some images and parts are not published in their present form: their state, and what they have in common."""
