@@ -192,7 +192,10 @@ def test_the_list_has_tags_first_and_says_who_has_none(real: ImageSet) -> None:
     assert f"{len(tagged)} images, " in done.output and "none: a test" not in done.output
     assert "more images without a tag, which test onnx: ./rosml explain onnx" in done.output.splitlines()[-1]
     done = CliRunner().invoke(listing.main, ["devel"])
-    assert "none: a test" in done.output and "these have no tag, and test devel: ./rosml explain devel" in done.output.splitlines()[-1]
+    assert (
+        "none: a test" in done.output
+        and "these have no tag, and test devel: ./rosml explain devel" in done.output.splitlines()[-1]
+    )
 
 
 def test_a_part_that_cannot_be_is_explained(image_set: ImageSet) -> None:

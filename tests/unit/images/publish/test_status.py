@@ -115,7 +115,9 @@ def test_a_missing_lock_and_a_missing_base_image(
     assert of_parts.startswith(f"{len(images) - 4} parts: ") and "1 without a lock" in of_parts
     assert further == "a further run would join 2"
     causes = status.causes(images, image_set.matrix.architectures)
-    [head] = [line for line in tables.status_markdown("", images, causes, []).splitlines() if "lock" in line and "#" in line]
+    [head] = [
+        line for line in tables.status_markdown("", images, causes, []).splitlines() if "lock" in line and "#" in line
+    ]
     assert head == "### 2 images and 1 part without a lock"
     monkeypatch.setattr(tables, "FEW", 1)
     tables.print_status(images, [], [])
