@@ -213,7 +213,7 @@ def test_every_message_passes_through_the_helper(
     assert command.run(main.cli, arguments=["explain", "jazzy"]) == 0
     assert capsys.readouterr().out.endswith("see them with: /opt/rosml/rosml list jazzy\n")
     assert command.run(main.cli, arguments=["list", "onnx"]) == 0
-    assert capsys.readouterr().out.endswith("images: /opt/rosml/rosml explain onnx\n")
+    assert capsys.readouterr().out.endswith("test onnx: /opt/rosml/rosml explain onnx\n")
 
 
 def test_a_quiet_command_prints_its_result_and_its_error(capfd: pytest.CaptureFixture[str]) -> None:

@@ -51,8 +51,9 @@ def main(groups: tuple[str, ...], matrix: Path, as_json: bool) -> None:
             terminal.say(line, "yellow")
         if tests := [image for image in images if not image.tags]:
             addons = list(dict.fromkeys(addon for image in tests for addon in image.addons))
-            more = f"{counted(len(tests), 'more image')} without a tag test"
-            text = more if tagged_images else "without a tag, these test"
+            which = "tests" if len(tests) == 1 else "test"
+            more = f"{counted(len(tests), 'more image')} without a tag, which {which}"
+            text = more if tagged_images else "these have no tag, and test"
             one = addons[0] if len(addons) == 1 else "NAME"
-            line = f"{text} {listed(addons)}, which go onto other images: rosml explain {one}"
+            line = f"{text} {listed(addons)}: rosml explain {one}"
             terminal.echo(command.as_called(line))

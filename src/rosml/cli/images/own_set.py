@@ -106,7 +106,7 @@ def _upstream(repository: str) -> Upstream:
     if not address or not commit:
         what = "the address of rosml's repository" if commit else "the commit of this rosml"
         remedy = (
-            "name it with --rosml, such as https://github.com/me/rosml"
+            "name it with --rosml, such as https://github.com/me/rosml, or a clone's folder for a set on this machine alone"
             if commit
             else "call it in a clone of rosml, or install it from one: uvx --from git+https://… rosml init --images"
         )

@@ -97,8 +97,8 @@ def cost(state: State, shards: Sequence[Shard]) -> str:
     kept = disk.registry_mb(state.image_set, state.images, state.architectures)
     tags = sum(len(image.tags) for image in state.images)
     return (
-        f"this run takes about {minutes} minutes of machine time; "
-        f"{counted(len(state.images), 'image')} with {counted(tags, 'tag')} take about {kept / 1000:.1f} GB in the registry"
+        f"this run takes about {counted(minutes, 'minute')} of machine time; "
+        f"images with {counted(tags, 'tag')} take about {kept / 1000:.1f} GB in the registry"
     )
 
 

@@ -151,7 +151,7 @@ FEW = 24
 def print_status(statuses: list[ImageStatus], causes: Sequence[Cause], ahead: Iterable[Ahead]) -> None:
     """Prints a line for each image that was published or failed, the published ones first; a block for each cause; and how many
     images each state has. If there are few images, each has a line."""
-    from rosml.images.publish.status import STATES, age
+    from rosml.images.publish.status import STATES, after_a_number, age
 
     order = list(STATES)
     shown = [it for it in statuses if it.digest or it.state == "failed" or len(statuses) <= FEW]
@@ -162,7 +162,7 @@ def print_status(statuses: list[ImageStatus], causes: Sequence[Cause], ahead: It
     show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"], whole=["image"])
     out = terminal.console()
     for cause in causes if len(statuses) > 1 else ():
-        head = f"{cause.count} {cause.state}"
+        head = f"{cause.count} {after_a_number(cause.state)}"
         out.print(f"{head}: {cause.reason or some(cause.targets)}", style=STATES[cause.state], markup=False)
         if cause.reason:
             out.print(f"  {some(cause.targets)}", style="dim", markup=False)
@@ -178,7 +178,7 @@ def _counts(statuses: Sequence[ImageStatus]) -> str:
     texts = []
     for things in ([it for it in statuses if it.kind == kind] for kind in ("image", "part")):
         counts = Counter(it.state for it in things)
-        text = ", ".join(f"{counts[name]} {name}" for name in status.STATES if counts[name])
+        text = ", ".join(f"{counts[name]} {status.after_a_number(name)}" for name in status.STATES if counts[name])
         texts += [f"{status.count(things)}: {text}"] if things else []
     return "; ".join(texts) or status.count(())
 
@@ -200,10 +200,12 @@ def status_markdown(
 ) -> str:
     """The state of a registry's images, for the owner of a repository: numbers, then each cause with its images and the
     last lines of its log."""
+    from rosml.images.publish.status import after_a_number
+
     lines = [f"## Images of {place}", "", f"{_counts(statuses)}. {_ahead(ahead).capitalize()}.", ""]
     for cause in causes:
         reason = f": {github.code(cause.reason)}" if cause.reason else ""
-        lines += [f"### {cause.count} {cause.state}{reason}", ""]
+        lines += [f"### {cause.count} {after_a_number(cause.state)}{reason}", ""]
         lines += [folded(cause.targets), ""]
         if cause.log:
             lines += [github.code(cause.log), ""]

@@ -36,8 +36,8 @@ class Fitting:
     restricted: bool
 
     def joins(self, image: str) -> str:
-        """The command that joins it to an image in a registry."""
-        return f"rosml join {image} {PARTS}:{braced(self.parts)} --tag NAME"
+        """The command that joins it to an image in a registry, which has the image's parts as well."""
+        return f"rosml join REGISTRY/{image} REGISTRY/{PARTS}:{braced(self.parts)} --tag REGISTRY/NAME:TAG"
 
 
 def braced(words: Sequence[str]) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -67,12 +67,26 @@ def _checked(document: Document, root: Path | None = None) -> _Checked:
     matrix = validate(document)
     images = tuple(places(matrix))
     parts = parts_of(matrix, images)
-    if problems := [document.problem(path, text) for path, text in collisions(matrix, images, parts)]:
+    findings = collisions(matrix, images, parts)
+    if document.base:
+        findings = _about_the_set(findings, document, images)
+    if problems := [document.problem(path, text) for path, text in dict.fromkeys(findings)]:
         raise InputError(document.name, problems)
     base = validate(document.base) if document.base else None
     if root and (problems := [document.problem(path, text) for path, text in lacking_keys(matrix, root)]):
         raise InputError(document.name, problems)
     return _Checked(matrix, images, parts, base)
+
+
+def _about_the_set(
+    findings: Iterable[tuple[KeyPath, str]], document: Document, images: Sequence[Place]
+) -> Iterator[tuple[KeyPath, str]]:
+    """The findings in a set. If rosml's default images are not in it, it has to name its own."""
+    for path, text in findings:
+        if path[0] == "default" and path[:2] not in document.places and images:
+            yield path[:2], f"rosml's are not all in this set; name its own, such as [{images[0].target}]"
+        else:
+            yield path, text
 
 
 def _locked(image_set: ImageSet, root: Path, only: Collection[str] | None = None) -> ImageSet:

@@ -7,7 +7,8 @@ the rosml that reads it, so a newer rosml brings newer releases, digests and loc
   without anything after its colon is as in rosml; the keys of an entry replace those in rosml.
 - `addons` chooses as well. Without it, the set has no add-ons, as each is built and tested for every stack and Python.
 - Everything else adds and replaces, key by key; `parts` by their names. A key without a value is left out.
-- What only belongs to stacks and frameworks that were not chosen (wheels, forecasts, budgets) goes with them.
+- What only belongs to stacks and frameworks that were not chosen (wheels, forecasts, budgets) goes with them. rosml's budgets of add-ons
+  do not count the parts that its frameworks have, so they go as well if the set lacks one of those parts.
 """
 
 from __future__ import annotations
@@ -200,11 +201,8 @@ def _forget(data: dict[str, Any], base: Mapping[str, Any], choice: Mapping[str, 
         if isinstance(data["parts"], tuple)
         else set()
     )
-    frameworks = {*base["frameworks"], *_mapping(base.get("addons"))} - {*_mapping(data["frameworks"]), *data["addons"]}
     if isinstance(disk := data["disk"], Mapping):
-        budgets = _without(disk.get("budgets"), stacks)
-        if isinstance(budgets, Mapping):
-            budgets = {stack: _without(budget, frameworks) for stack, budget in budgets.items()}
+        budgets = _budgets(_without(disk.get("budgets"), stacks), data, base, choice)
         parts = _without(disk.get("parts"), stacks)
         if isinstance(parts, Mapping):
             parts = {stack: _without(sizes, gone) for stack, sizes in parts.items()}
@@ -214,11 +212,26 @@ def _forget(data: dict[str, Any], base: Mapping[str, Any], choice: Mapping[str, 
         data["distributions"] = {
             name: facts
             if "default_stack" in _mapping(chosen.get(name))
-            else _with_stacks(
-                facts, tuple(stack for stack in _mapping(data["stacks"]) if _fits(data, _mapping(facts), stack))
-            )
+            else _with_stacks(facts, _usable_stacks(data, _mapping(facts)))
             for name, facts in data["distributions"].items()
         }
+
+
+def _budgets(budgets: Any, data: Mapping[str, Any], base: Mapping[str, Any], choice: Mapping[str, Any]) -> Any:
+    """Budgets of the set's frameworks and add-ons, without those of rosml that are too small in it."""
+    if not isinstance(budgets, Mapping):
+        return budgets
+    frameworks, addons = _mapping(data["frameworks"]), _mapping(data["addons"])
+    base_addons = _mapping(base.get("addons"))
+    remaining_parts = {part for facts in frameworks.values() for part in _names(facts)}
+    lacks_part = any(set(_names(facts)) - remaining_parts for facts in base["frameworks"].values())
+    gone = {*base["frameworks"], *base_addons} - {*frameworks, *addons}
+    too_small = {*base_addons} if lacks_part else set[str]()
+    budgets_of_set = _mapping(_mapping(choice.get("disk")).get("budgets"))
+    return {
+        stack: _without(budget, gone | too_small - {*_mapping(budgets_of_set.get(stack))})
+        for stack, budget in budgets.items()
+    }
 
 
 def _without(value: Any, names: Collection[str]) -> Any:
@@ -263,12 +276,18 @@ def _has_wheels(facts: Any) -> bool:
 
 
 def _with_stacks(facts: Any, chosen: tuple[str, ...]) -> Any:
-    """A distribution whose default stacks are those of rosml that are left, or else all of the set that fit it."""
+    """A distribution whose default stacks are those of rosml that are left, or else all of the set that are usable."""
     stacks = _mapping(facts).get("default_stack")
     stacks = (stacks,) if isinstance(stacks, str) else stacks
     if not isinstance(stacks, tuple) or all(stack in chosen for stack in stacks):
         return facts
     return {**facts, "default_stack": tuple(stack for stack in stacks if stack in chosen) or chosen or stacks}
+
+
+def _usable_stacks(data: Mapping[str, Any], facts: Mapping[str, Any]) -> tuple[str, ...]:
+    """The stacks of the set on which a distribution has a framework; all of them if it has none, since add-ons have a stack as well."""
+    stacks = tuple(_mapping(data["stacks"]))
+    return tuple(stack for stack in stacks if _fits(data, facts, stack)) or stacks
 
 
 def _forget_architectures(data: dict[str, Any], gone: set[str]) -> None:

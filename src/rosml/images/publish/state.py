@@ -6,7 +6,7 @@ due again. So if a publishing run is interrupted, the next one continues, on any
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -295,18 +295,33 @@ class State:
                 outcome = "not done by this policy" if entry.scanned == "clean" else entry.scanned or "not done"
                 return f"{key[1]}: scan: {outcome}"
             if item.kind == "part" and not self._used(entry):
+                if tester := self.failed_tester(entry):
+                    return f"{key[1]}: tests of {tester.target} failed"
                 checks = "its tests and the scan" if self.request.scanning else "its tests"
                 return f"{key[1]}: no image that has it passed {checks} yet"
         return ""
 
     def _used(self, part: Entry) -> bool:
         return any(
-            entry.parts.get(part.target) == part.digest
-            and not self._checks(item, entry)
-            and not self.tests.unproven(item)
-            for key, item in self.by_key.items()
-            if item.kind == "joined" and item.architecture == part.architecture and (entry := self.entries.get(key))
+            not self._checks(item, self.entries[item.key]) and not self.tests.unproven(item)
+            for item in self._joined_with(part)
         )
+
+    def failed_tester(self, part: Entry) -> Item | None:
+        """An image that has a part and whose tests failed, if no image that has it passed them."""
+        failed = (it for it in self._joined_with(part) if self.entries[it.key].failures and not self.reasons(it))
+        return None if self._used(part) else next(failed, None)
+
+    def _joined_with(self, part: Entry) -> Iterator[Item]:
+        for key, item in self.by_key.items():
+            entry = self.entries.get(key)
+            if (
+                entry
+                and item.kind == "joined"
+                and item.architecture == part.architecture
+                and entry.parts.get(part.target) == part.digest
+            ):
+                yield item
 
     def things(self) -> tuple[Image | Part, ...]:
         """Images and parts that get an index: the requested ones, and those below them. An image without tags only tests."""

@@ -87,7 +87,9 @@ def _state(state: State, thing: Image | Part, tagged: str) -> tuple[str, str]:
     members = state.members(thing)
     index = state.index_of(thing)
     entries = [entry for key in members if (entry := state.entries.get(key))]
-    if failures := [f"{entry.architecture}: {_reason(entry)}" for entry in entries if _has_failed(state, entry)]:
+    failures = [f"{entry.architecture}: {_reason(entry)}" for entry in entries if _has_failed(state, entry)]
+    failures += [f"{it.architecture}: {it.target}: {_reason(it)}" for it in _failed_testers(state, thing)]
+    if failures:
         return "failed", "; ".join(failures)
     lacking = sum(len(missing_locks.on(thing, architecture)) for _, architecture in members)
     if damage := state.damage(thing):
@@ -107,7 +109,15 @@ def _state(state: State, thing: Image | Part, tagged: str) -> tuple[str, str]:
         if all(hindered) and (waiting := [reason for reason in hindered if reason.startswith(WAITING)]):
             return WAITING, waiting[0].removeprefix(WAITING).lstrip(": ")
     still = f"its tags were moved back on {index.held[:10]}" if index and index.held else "its tags have not moved yet"
-    return "outdated" if tagged else "missing", "; ".join(why or _unproven(state, members)) or still
+    waits_for = why or _unproven(state, members) or [state.unready(thing)]
+    return "outdated" if tagged else "missing", "; ".join(waits_for) or still
+
+
+def _failed_testers(state: State, thing: Image | Part) -> list[Entry]:
+    """Of a part, the images without a tag that test it and failed: they have no row of their own."""
+    parts = [entry for key in state.members(thing) if isinstance(thing, Part) and (entry := state.entries.get(key))]
+    testers = [tester for part in parts if (tester := state.failed_tester(part))]
+    return [state.entries[it.key] for it in testers if isinstance(it.thing, Image) and not it.thing.tags]
 
 
 def _unproven(state: State, members: Sequence[Key]) -> list[str]:
@@ -118,9 +128,14 @@ def _unproven(state: State, members: Sequence[Key]) -> list[str]:
 
 def _log(state: State, thing: Image | Part) -> str:
     """The log of a failure in the records, if it is more than a line."""
-    entries = (entry for key in state.members(thing) if (entry := state.entries.get(key)))
-    texts = (entry.failed["reason"] for entry in entries if _has_failed(state, entry) and "reason" in entry.failed)
+    entries = [entry for key in state.members(thing) if (entry := state.entries.get(key)) and _has_failed(state, entry)]
+    texts = (it.failed["reason"] for it in (*entries, *_failed_testers(state, thing)) if "reason" in it.failed)
     return next((text for text in texts if "\n" in text), "")
+
+
+def after_a_number(state: str) -> str:
+    """A state behind a number of images or parts: `2 images published`, `2 images without a lock`."""
+    return "without a lock" if state == UNLOCKED else state
 
 
 @dataclass(frozen=True)

@@ -19,6 +19,7 @@ from rosml.images.catalogue import tags_page
 from rosml.images.image_set import addons, explain, locked
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks import requests
+from rosml.images.publish import status
 from rosml.images.publish.steps import STEPS
 from rosml.images.publish.steps.scan import policy_digest, scan
 
@@ -118,6 +119,12 @@ def test_a_part_whose_test_failed_gets_no_tag(registry: Publisher, image_set: Im
     run = registry.publish(image_set, poisoned=poisoned)
     assert run.failed
     assert "extra-cpu-py312" in registry.tagged("part") and "extra-cpu-py314" not in registry.tagged("part")
+    statuses = {it.target: it for it in status.read(registry.run(image_set, date=NEXT).state, NEXT)}
+    assert statuses["part-extra-cpu-py312"].state == "published"
+    part = statuses["part-extra-cpu-py314"]
+    tester = "omega-core-extra-cpu: tests failed: contract: it is poisoned"
+    assert (part.state, part.reason) == ("failed", f"amd64: {tester}; arm64: {tester}")
+    assert "Expected 0, got 1" in part.log, "no image with a row has it"
 
 
 def test_what_the_policy_stops_in_an_addon_gets_no_tag(
@@ -154,7 +161,9 @@ def test_what_an_image_can_take(image_set: ImageSet) -> None:
     images, matrix = image_set.by_target, image_set.matrix
     (torch,) = addons.fitting(matrix, images["alpha-base-torch-cu1"])
     assert (torch.called, torch.parts, torch.platforms) == ("extra", ("extra-cu1-py312",), ("linux/amd64",))
-    assert torch.joins("ros-torch:alpha") == "rosml join ros-torch:alpha part:extra-cu1-py312 --tag NAME"
+    assert torch.joins("ros-torch:alpha") == (
+        "rosml join REGISTRY/ros-torch:alpha REGISTRY/part:extra-cu1-py312 --tag REGISTRY/NAME:TAG"
+    )
     plain = {item.called: item for item in addons.fitting(matrix, images["alpha-base"])}
     assert {*plain} == {"extra-cu1", "extra-cpu"}
     assert plain["extra-cu1"].parts == ("cuda-cu1", "common-cu1-py312", "extra-cu1-py312")
@@ -174,16 +183,19 @@ def test_an_addon_is_explained_by_any_of_its_names(image_set: ImageSet, name: st
     reasons = "\n".join(explanation.reasons)
     assert "cu1: Extra 1.5.0 for linux/amd64, Python 3.12 and 3.14\n" in reasons
     assert "tags with it: ros-extra:alpha-base-cu1\n" in reasons
-    assert "rosml containerize --base-image ros" in reasons and "rosml join ros" in reasons
+    assert "rosml containerize --base-image ros" in reasons and "rosml join REGISTRY/ros" in reasons
 
 
 def test_the_list_has_tags_first_and_says_who_has_none(real: ImageSet) -> None:
     done = CliRunner().invoke(listing.main, ["onnx"])
     tagged = [image for image in real.images if "onnx" in image.addons and image.tags]
     assert f"{len(tagged)} images, " in done.output and "none: a test" not in done.output
-    assert "more images without a tag test onnx" in done.output.splitlines()[-1]
+    assert "more images without a tag, which test onnx: ./rosml explain onnx" in done.output.splitlines()[-1]
     done = CliRunner().invoke(listing.main, ["devel"])
-    assert "none: a test" in done.output and "without a tag, these test devel" in done.output.splitlines()[-1]
+    assert (
+        "none: a test" in done.output
+        and "these have no tag, and test devel: ./rosml explain devel" in done.output.splitlines()[-1]
+    )
 
 
 def test_a_part_that_cannot_be_is_explained(image_set: ImageSet) -> None:

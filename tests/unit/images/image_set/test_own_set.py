@@ -144,6 +144,28 @@ def test_one_architecture_and_one_accelerator(tmp_path: Path, real: ImageSet) ->
     }
 
 
+def test_a_set_with_an_addon_and_no_framework(tmp_path: Path, real: ImageSet) -> None:
+    text = """\
+extends: rosml
+default: {targets: [ros1-bookworm-core], group: [ros1-bookworm-core]}
+distributions:
+  ros1-bookworm: {components: [core]}
+frameworks:
+  none:
+stacks:
+  cpu:
+addons:
+  onnx:
+"""
+    tests_onnx = "ros1-bookworm-core-onnx-cpu"
+    image = loaded(tmp_path, text).image(tests_onnx)
+    assert {*image.budgeted} > {*real.image(tests_onnx).budgeted}, "those that TensorFlow has in rosml"
+    assert image.budget is None, "rosml's is for fewer parts"
+    assert loaded(tmp_path, text + "disk: {budgets: {cpu: {onnx: 60}}}\n").image(tests_onnx).budget == 60
+    with_frameworks = loaded(tmp_path, text.replace("frameworks:\n  none:\n", "")).image(tests_onnx)
+    assert (with_frameworks.budget, with_frameworks.budgeted) == (40, real.image(tests_onnx).budgeted)
+
+
 def test_where_a_sets_images_go(tmp_path: Path) -> None:
     file = tmp_path / "set.yaml"
     for text, place in (
@@ -180,6 +202,11 @@ def test_where_a_sets_images_go(tmp_path: Path) -> None:
             "  torch:",
             "  tensorflow:",
             "9: frameworks.tensorflow: none of the stacks of this set has its part tensorflow",
+        ),
+        (
+            "default: {targets: [jazzy-base-torch-cu130], group: [jazzy-core]}\n",
+            "",
+            "1: default.group: rosml's are not all in this set; name its own, such as [jazzy-core]",
         ),
         ("registry:", "version: 2\nregistry:", "2: version: expected 1, found the number 2"),
     ],

@@ -111,9 +111,14 @@ def test_a_missing_lock_and_a_missing_base_image(
     assert lines["alpha-core"] == "published 3 d amd64, arm64"
     assert lines["alpha-base"] == f"waiting for a builder {why}"
     of_images, of_parts, further = summary.split("; ")
-    assert of_images == "4 images: 1 published, 2 lock missing, 1 waiting for a builder"
-    assert of_parts.startswith(f"{len(images) - 4} parts: ") and "1 lock missing" in of_parts
+    assert of_images == "4 images: 1 published, 2 without a lock, 1 waiting for a builder"
+    assert of_parts.startswith(f"{len(images) - 4} parts: ") and "1 without a lock" in of_parts
     assert further == "a further run would join 2"
+    causes = status.causes(images, image_set.matrix.architectures)
+    [head] = [
+        line for line in tables.status_markdown("", images, causes, []).splitlines() if "lock" in line and "#" in line
+    ]
+    assert head == "### 2 images and 1 part without a lock"
     monkeypatch.setattr(tables, "FEW", 1)
     tables.print_status(images, [], [])
     assert [line.split()[0] for line in capsys.readouterr().out.splitlines()[:-1]] == ["image", "alpha-core"]
