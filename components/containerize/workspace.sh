@@ -54,6 +54,8 @@ colcon build --base-paths "src/$1" "${metas[@]}" --event-handlers console_cohesi
   elif asks_git; then
     echo "error: a package asks git for its version, and no build has .git; if that is why, let it take another one where git" \
       "fails, such as fallback_version of setuptools_scm" >&2
+  else
+    first_errors >&2
   fi
   exit "$code"
 }
