@@ -89,6 +89,8 @@ def build(out: Path) -> None:
         raise
     finally:
         github.summary(ci_job.summary(images, out))
+    if (sentence := job.missing_slim(images)) and os.environ.get(github.SUMMARY):
+        click.echo(ci_job.command("warning", "rosml containerize", sentence))
     _report(images)
 
 
