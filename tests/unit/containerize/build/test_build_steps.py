@@ -156,6 +156,9 @@ def test_a_workspace_that_imports_nothing_calls_no_colcon(tmp_path: Path) -> Non
     (workspace.sources / "README").unlink()
     assert workspace.build("upstream").returncode == 0
     assert (tmp_path / "ws/src/upstream").is_dir() and not workspace.calls.exists()
+    (tmp_path / "ws/src/upstream/late").mkdir()
+    workspace.build("upstream")
+    assert workspace.calls.exists(), "docker/custom.sh may add packages, as in docker-ros"
 
 
 @pytest.mark.parametrize(("version", "skips"), [("1", True), ("2", False)])
