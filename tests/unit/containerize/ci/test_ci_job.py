@@ -375,3 +375,9 @@ def test_a_failed_test_is_shown_and_its_reports_are_kept(
     monkeypatch.setattr(Services, "require_builder", refuse)
     environment["IMAGE_TAG"] = "other"
     assert build() == ["::error title=rosml containerize::docker buildx does not answer"]
+
+
+def test_a_build_context_that_is_not_there_is_named(tmp_path: Path) -> None:
+    environment = {**GITHUB, "GITHUB_WORKSPACE": str(tmp_path), "BUILD_CONTEXT": "src"}
+    end = CliRunner().invoke(command.main, ["build", "--out", str(tmp_path / "out")], env=environment)
+    assert isinstance(end.exception, RosmlError) and str(tmp_path / "src") in end.exception.message
