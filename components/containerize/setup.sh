@@ -74,12 +74,13 @@ unnamed() {
 
 # lost_header NAME/HEADER: whether the image has NAME in a release without this header.
 lost_header() {
-  local prefixes prefix folder lost=1
+  local prefixes prefix folder place lost=1
   IFS=: read -r -a prefixes <<<"/usr:${CMAKE_PREFIX_PATH:-}"
   for prefix in "${prefixes[@]}"; do
     folder=$prefix/include/${1%%/*}
     if [[ ! -d $folder ]]; then continue; fi
-    if [[ -n $(find "$folder" -path "*/$1" -print -quit) ]]; then return 1; fi
+    place=$(find "$folder" -path "*/$1" -print -quit)
+    if [[ -n $place ]]; then return 1; fi
     lost=0
   done
   return "$lost"
