@@ -59,6 +59,9 @@ PAUSES = (1, 3)
 DEBIAN = "10-debian.list"
 """Of Debian's rosdep: it calls Debian's own packages of ROS 1 by names that ROS 2 has as well."""
 
+PROGRAMS = {"libnodeletlib-dev": "libnodeletlib-tools"}
+"""What Debian's rosdep forgets: the package with programs of this one and its package.xml, without which nothing loads a nodelet."""
+
 ROS = Path("/opt/ros", os.environ.get("ROS_DISTRO", ""))
 """Where ROS is, if it is not in the system's own folders."""
 
@@ -199,7 +202,7 @@ class Rosdep:
             fail(f"rosdep's lists are wrong about {key}: {str(error)[:500] or type(error).__name__}", "correct them")
         if wrong := [name for name in names if not NAME.fullmatch(name)]:
             fail(f"rosdep's lists are wrong about {key}: {wrong[0][:100]!r} is no package", "correct them")
-        yield Answer(rule_installer, names)
+        yield Answer(rule_installer, (*names, *(PROGRAMS[name] for name in names if name in PROGRAMS)))
         for other in others:
             yield from self._resolve(other, (*above, key))
 

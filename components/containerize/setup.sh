@@ -58,18 +58,36 @@ printed() { grep -r -h --include=stdout_stderr.log -E "${@:2}" -e "$1" "$COLCON_
 
 # unnamed: what the last build asked for and did not find, and no package.xml names. On a machine with a whole desktop it is there.
 unnamed() {
-  local found name
+  local found header name
   found=$(
     printed 'CMake Error' -A 8 | sed -n -E 's/.*package configuration file provided by "([A-Za-z0-9_.+-]+)".*/\1/p'
-    printed 'fatal error: .*: No such file or directory' | sed -n -E 's|.*fatal error: ([a-z0-9_]+)/[^ ]+: No such.*|\1|p'
+    printed 'fatal error: .*: No such file or directory' | sed -n -E 's|.*fatal error: ([a-z0-9_]+/[^ ]+): No such.*|\1|p'
   )
-  while IFS= read -r name; do
-    if [[ -n $name ]] && ! grep -r -q --include=package.xml -F -e ">$name<" src; then
+  while IFS= read -r header; do
+    name=${header%%/*}
+    if [[ -n $name ]] && ! grep -r -q --include=package.xml -F -e ">$name<" src && ! lost_header "$header"; then
       echo "$name"
       break
     fi
   done <<<"$found"
 }
+
+# lost_header NAME/HEADER: whether the image has NAME in a release without this header.
+lost_header() {
+  local prefixes prefix folder place lost=1
+  IFS=: read -r -a prefixes <<<"/usr:${CMAKE_PREFIX_PATH:-}"
+  for prefix in "${prefixes[@]}"; do
+    folder=$prefix/include/${1%%/*}
+    if [[ ! -d $folder ]]; then continue; fi
+    place=$(find "$folder" -path "*/$1" -print -quit)
+    if [[ -n $place ]]; then return 1; fi
+    lost=0
+  done
+  return "$lost"
+}
+
+# first_errors: the first of a compiler in each package of the last build. More warnings may follow than people see of a step.
+first_errors() { printed '^[^ ]+:[0-9]+:([0-9]+:)? (fatal )?error: ' -m 1 | head -n 5; }
 
 # asks_git: whether a package of the last build wanted the folder .git. What a setup.py prints when colcon reads it is in no log.
 asks_git() {

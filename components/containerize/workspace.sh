@@ -12,7 +12,8 @@ started=$(mktemp)
 export WORKSPACE=${WORKSPACE:-/docker-ros/ws} COLCON_LOG_PATH=/tmp/log
 # At the place where the dev image has them: paths in the install space and in debug information are the same.
 mkdir -p "$WORKSPACE/src/$1"
-if sources=$(ls -A /run/sources/.) && [[ -z $sources ]]; then exit; fi # most workspaces import nothing
+# Most workspaces import nothing. A script of the repository may have put packages there.
+if source=$(find /run/sources/. "$WORKSPACE/src/$1" -mindepth 1 -print -quit) && [[ -z $source ]]; then exit; fi
 cp -R --preserve=mode,links /run/sources/. "$WORKSPACE/src/$1"
 # shellcheck source=components/containerize/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/setup.sh"
@@ -54,6 +55,8 @@ colcon build --base-paths "src/$1" "${metas[@]}" --event-handlers console_cohesi
   elif asks_git; then
     echo "error: a package asks git for its version, and no build has .git; if that is why, let it take another one where git" \
       "fails, such as fallback_version of setuptools_scm" >&2
+  else
+    first_errors >&2
   fi
   exit "$code"
 }

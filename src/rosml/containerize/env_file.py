@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from pathlib import Path
 
 from rosml.base import files
@@ -28,8 +28,9 @@ PIECE = re.compile(r"""'([^']*)'|"([^"\\]*(?:\\.[^"\\]*)*)"|\\(.)|([^ \t\n'"\\]+
 """A piece of a word."""
 
 
-def read(file: Path) -> dict[str, str]:
-    """The variables of a file; none if there is no file. A line that needs a shell is an error."""
+def read(file: Path, names: Container[str]) -> dict[str, str]:
+    """The variables of a file; none if there is no file. A line that needs a shell is an error if it sets one of these names: the
+    file may also be for others, such as docker compose. For them, its variable is empty."""
     content = files.regular(file, LARGEST)
     if content is None:
         return {}
@@ -46,7 +47,12 @@ def read(file: Path) -> dict[str, str]:
         name = _NAME.match(text, place)
         if not name:
             raise refusal("it is not NAME=VALUE")
-        variables[name[1]], place = _value(text, name.end(), refusal)
+        try:
+            variables[name[1]], place = _value(text, name.end(), refusal)
+        except RosmlError:
+            if name[1] in names:
+                raise
+            variables[name[1]], place = "", _line_end(text, place)
     return variables
 
 
@@ -77,9 +83,13 @@ def _value(text: str, place: int, refusal: Callable[[str], RosmlError]) -> tuple
         elif escaped != "\n":  # an escaped line end joins two lines
             pieces.append(single or escaped or bare or "")
         place = piece.end()
-    end = text.find("\n", place)
-    end = len(text) if end < 0 else end
+    end = _line_end(text, place)
     rest = text[place:end].strip(" \t")
     if rest and not rest.startswith("#"):
         raise refusal("a value with blanks needs quotes")
     return "".join(pieces), end
+
+
+def _line_end(text: str, place: int) -> int:
+    end = text.find("\n", place)
+    return len(text) if end < 0 else end

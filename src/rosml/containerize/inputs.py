@@ -201,6 +201,9 @@ _INDUSTRIAL_CI = ("ROSDEP_SKIP_KEYS", "NOT_TEST_BUILD")
 
 FILE = env_file.NAME
 
+_NAMES = {item.variable for item in TABLE} | {_IMAGE, *_INDUSTRIAL_CI}
+"""The variables of a file that count, or that are answered."""
+
 _PATTERNS = {
     "ros-distro": ("[a-z][a-z0-9]*|Debian", "name one, such as jazzy"),
     "rmw-implementation": ("rmw_[a-z0-9_]+", "name one, such as rmw_cyclonedds_cpp"),
@@ -213,10 +216,15 @@ def default(name: str) -> str:
     return _BY_NAME[name].default
 
 
+def of_file(folder: Path) -> dict[str, str]:
+    """The variables of a folder's `.env`."""
+    return env_file.read(folder / FILE, _NAMES)
+
+
 def values(typed: Mapping[str, str | None], folder: Path, environment: Mapping[str, str]) -> Values:
     """The values of all inputs: from the command line, the environment, or the folder's `.env`."""
     file = folder / FILE
-    variables = env_file.read(file)
+    variables = of_file(folder)
     options = {name: value for name, value in typed.items() if value is not None}
     # If one of them is typed, the other one has its default.
     splits_image = options.keys().isdisjoint(("image-name", "image-tag"))
@@ -238,7 +246,7 @@ def first_look(name: str, typed: Mapping[str, str], folder: Path, environment: M
     item = _BY_NAME[name]
     variables: dict[str, str] = {}
     with contextlib.suppress(RosmlError):
-        variables = env_file.read(folder / FILE)
+        variables = of_file(folder)
     return typed.get(name) or environment.get(item.variable) or variables.get(item.variable) or item.default
 
 
@@ -322,9 +330,8 @@ def _problem_of_words(text: str) -> str:
 
 def answers(folder: Path, environment: Mapping[str, str]) -> Iterator[str]:
     """A sentence for each set variable that has no effect: an input of docker-ros, or an unknown name in the file."""
-    variables = env_file.read(folder / FILE)
+    variables = of_file(folder)
     for item in TABLE:
         if item.gone and (environment.get(item.variable) or variables.get(item.variable)):
             yield f"{item.variable} is not used: {item.gone}"
-    names = {item.variable for item in TABLE} | {_IMAGE, *_INDUSTRIAL_CI}
-    yield from (f"{name} in {FILE} is not used: there is no such input" for name in variables if name not in names)
+    yield from (f"{name} in {FILE} is not used: there is no such input" for name in variables if name not in _NAMES)

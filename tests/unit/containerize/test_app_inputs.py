@@ -117,7 +117,7 @@ def test_allowed_lines_of_a_repository_count(
 ) -> None:
     """And a person's value in their place is no error."""
     (tmp_path / ".env").write_text(f"{text}\n")
-    values, variables = inputs.values(typed, tmp_path, environment), env_file.read(tmp_path / ".env")
+    values, variables = inputs.values(typed, tmp_path, environment), inputs.of_file(tmp_path)
     for item in inputs.TABLE:
         value = typed.get(item.name) or environment.get(item.variable) or variables.get(item.variable)
         assert not value or item.gone or values.text(item.name) == value
@@ -142,14 +142,14 @@ def test_allowed_lines_of_a_repository_count(
 )
 def test_a_file_of_variables_is_read_as_a_shell_reads_it(line: str, value: str, tmp_path: Path) -> None:
     (tmp_path / ".env").write_text(f"\n{line}\n")
-    assert env_file.read(tmp_path / ".env") == {"COMMAND": value}
+    assert env_file.read(tmp_path / ".env", {"COMMAND"}) == {"COMMAND": value}
     shell = ["sh", "-c", '. ./.env; printf %s "$COMMAND"']
     assert subprocess.run(shell, cwd=tmp_path, capture_output=True, check=True).stdout.decode() == value
 
 
 def test_a_file_of_variables_from_windows(tmp_path: Path) -> None:
     (tmp_path / ".env").write_bytes(b"A=1\r\nB='2\r\n3'\r\n".decode().encode("utf-8-sig"))
-    assert env_file.read(tmp_path / ".env") == {"A": "1", "B": "2\n3"}
+    assert env_file.read(tmp_path / ".env", {"COMMAND"}) == {"A": "1", "B": "2\n3"}
 
 
 @pytest.mark.parametrize(
@@ -166,8 +166,17 @@ def test_a_file_of_variables_from_windows(tmp_path: Path) -> None:
 def test_a_line_that_needs_a_shell_is_refused(text: str, problem: str, tmp_path: Path) -> None:
     (tmp_path / ".env").write_text(text)
     with pytest.raises(RosmlError, match=re.escape(problem)) as caught:
-        env_file.read(tmp_path / ".env")
+        env_file.read(tmp_path / ".env", {"COMMAND"})
     assert caught.value.exit_code == 2
+
+
+def test_lines_that_are_for_docker_compose_are_passed_over(tmp_path: Path) -> None:
+    """They may need a shell: what docker-ros builds in CI does not depend on them."""
+    others = ("COMPOSE_FILE=${DIR:-.}/a.yml", "TITLE=two words", "OPEN='no end", "DURATION=20 # s")
+    (tmp_path / ".env").write_text("\n".join(["COMMAND=ros2", *others, "IMAGE=robot:1"]))
+    values = inputs.values({}, tmp_path, {})
+    assert (values.command, values.image_name, values.image_tag) == ("ros2", "robot", "1")
+    assert [line.split()[0] for line in inputs.answers(tmp_path, {})] == ["COMPOSE_FILE", "TITLE", "OPEN", "DURATION"]
 
 
 def test_names_that_lost_their_meaning_are_answered(tmp_path: Path) -> None:

@@ -18,6 +18,7 @@ from fakes.stubs import script_of_a_build
 RULES: dict[str, dict[str, Any]] = {
     "angles": {"debian": ["libangles-dev"]},
     "boost": {"debian": ["libboost-dev"]},
+    "nodelet": {"debian": ["libnodelet-dev", "libnodeletlib-dev", "python3-nodelet"]},
     "only_on_ubuntu": {"ubuntu": ["libfoo-dev"]},
     "only_old_debian": {"debian": {"buster": ["libbar-dev"], "bookworm": None}, "fedora": None},
     "null_rule": {"debian": None},
@@ -130,6 +131,11 @@ def test_packages_of_the_other_ros_are_named(
     text = printed(identify, capsys, key)
     assert (f"has ROS {ros}, and arm asks for packages of ROS {other};" in text) == bool(other)
     assert (f"does not know {key}" in text) == ("--skip-keys" in text) != bool(other)
+
+
+def test_a_package_with_nodelets_gets_the_program_that_loads_them(identify: Any) -> None:
+    [answer] = identify.answers({"arm": {"exec": {"nodelet"}}}, set(), identify.Rosdep())["nodelet"]
+    assert answer.names == (*RULES["nodelet"]["debian"], "libnodeletlib-tools")
 
 
 def test_packages_of_cmake_without_a_manifest_are_those_of_the_workspace(identify: Any, tmp_path: Path) -> None:

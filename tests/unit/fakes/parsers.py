@@ -32,8 +32,8 @@ sys.path.insert(0, str(ROOT / "components/containerize"))  # where its scripts f
 
 from rosml.base import archives, untrusted, web
 from rosml.base.errors import RosmlError
-from rosml.containerize import env_file, lock
 from rosml.containerize import inputs as app_inputs
+from rosml.containerize import lock
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image import rosdep_index
 from rosml.containerize.build import attachments as contents
@@ -688,7 +688,7 @@ def sources_of(document: bytes, folder: Path) -> object:
 
 
 PARSERS: dict[str, Parser] = {
-    ".env": Parser("text", [documents.ENV], written(".env", env_file.read)),
+    ".env": Parser("text", [documents.ENV], written(".env", lambda file: app_inputs.of_file(file.parent))),
     ".repos": Parser("yaml", [documents.REPOS], written("a.repos", lambda file: repos_file.read([file], file.parent, "", local=False))),
     ".rosml.toml": Parser("text", [documents.DEFAULTS], defaults_of),
     "allowed.json": Parser(

@@ -37,6 +37,8 @@ def _job() -> tuple[Job, dict[str, str], Path]:
 
     commit, inputs = ci_job.commit(os.environ), ci_inputs.inputs_of(os.environ)
     folder = (commit.folder / inputs.get("build-context", ".")).resolve()
+    if not folder.is_dir():
+        raise RosmlError(f"build-context: there is no folder {folder}", "check its name", exit_code=2)
     for sentence in app_inputs.answers(folder, {name.upper().replace("-", "_"): text for name, text in inputs.items()}):
         say(sentence)
     return ci_job.Job(app_inputs.values(inputs, folder, {}), os.environ, commit, say), inputs, folder
@@ -89,6 +91,8 @@ def build(out: Path) -> None:
         raise
     finally:
         github.summary(ci_job.summary(images, out))
+    if (sentence := job.missing_slim(images)) and os.environ.get(github.SUMMARY):
+        click.echo(ci_job.command("warning", "rosml containerize", sentence))
     _report(images)
 
 

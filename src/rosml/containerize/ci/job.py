@@ -174,6 +174,15 @@ class Job:
                     _move(registries, image, 1)
         return images
 
+    def missing_slim(self, images: list[Image]) -> str:
+        """A sentence if the inputs ask for a slim image, and its base image has none without compilers."""
+        if not self._values.enable_slim or "run" not in listed(self._values.target):
+            return ""
+        if any(image.target == SLIM for image in images):
+            return ""
+        name = f"{self._names[SLIM]}:{self._tags[SLIM][0]}"
+        return f"no slim image: {name} stays as it is; publish its base image, or write enable-slim: false"
+
     def built_images(self, folder: Path) -> list[Image]:
         """The images of the job for all platforms, and of those for one platform each. We find their files by the jobs' names: a
         job may have kept other files, such as its tests'."""
@@ -295,5 +304,10 @@ def errors(out: Path, error: RosmlError) -> Iterator[str]:
     failures = _reported(out).failures
     title = "Test failed" if failures else "rosml containerize"
     for line in failures or (error.message,):
-        escaped = line.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
-        yield f"::error title={title}::{escaped}"
+        yield command("error", title, line)
+
+
+def command(kind: str, title: str, text: str) -> str:
+    """A command to GitHub, which shows a text on the page of the run."""
+    escaped = text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
+    return f"::{kind} title={title}::{escaped}"

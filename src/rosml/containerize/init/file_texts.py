@@ -261,7 +261,8 @@ def _of_docker(path: str) -> str:
     return re.sub(r"([\\$])", r"\\\1", path)
 
 
-_COMMENTS = "'s/(^|[[:space:]])#.*//'"
+_PLAIN = r"-e 's/(^|[[:space:]])#.*//' " r'-e "s/[$]([{]ROS_DISTRO[}]|ROS_DISTRO\b)/$ROS_DISTRO/g"'
+"""What sed does to a list of packages for apt: it has no comments, and the distribution's name."""
 
 
 def _copied(file: str) -> str:
@@ -278,7 +279,7 @@ def _install(project: Project, options: str) -> str:
         update,
         f"rosdep install --from-paths /run/src --ignore-src -y{options}{skipped}",
         *(
-            f"sed -E {_COMMENTS} {_copied(file)} | xargs -r apt-get install -y --no-install-recommends"
+            f"sed -E {_PLAIN} {_copied(file)} | xargs -r apt-get install -y --no-install-recommends"
             for file in _debs(project)
         ),
         *(f"pip install -r {_copied(file)}" for file in _pip(project)),

@@ -11,8 +11,8 @@ from pathlib import Path
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.containerize import env_file, lock
 from rosml.containerize import inputs as app_inputs
+from rosml.containerize import lock
 from rosml.containerize.init.file_texts import DOCKERFILE, GITLAB
 
 LARGEST = 256 << 10
@@ -24,7 +24,7 @@ LARGEST = 256 << 10
 def env(folder: Path) -> tuple[dict[str, str], tuple[str, str] | None]:
     """The variables of its `.env`; none if that is broken, with the problem and its remedy."""
     try:
-        return env_file.read(folder / app_inputs.FILE), None
+        return app_inputs.of_file(folder), None
     except RosmlError as error:
         return {}, (error.message, error.remedy)
 

@@ -42,6 +42,9 @@ MOST_UNKNOWN = 20  # names that are told one by one
 _PROJECT = re.compile(r"""^[ \t]*project[ \t]*\([ \t]*"?([\w.+-]+)""", re.IGNORECASE | re.MULTILINE)
 """The name of the package in a CMakeLists.txt, as colcon reads it."""
 
+_DISTRIBUTION = re.compile(r"\$(ROS_DISTRO\b|\{ROS_DISTRO\})")
+"""The one variable in the names of packages for apt, as docker-ros' shell expands it."""
+
 _READABLE = 0o444
 """The permissions that let everybody read a file."""
 
@@ -262,9 +265,10 @@ def write_requests(values: Values, folder: Path, upstream: Path, environment: Ma
             _require_named(name, path, folder)
         return texts_of(folder, path, (folder, upstream) if every else ()) if path else []
 
-    debs = lines_of("".join(texts("additional-debs-file", "enable-recursive-additional-debs")))
+    distribution = values.ros_distro or environment.get("ROS_DISTRO", "")
+    lines = lines_of("".join(texts("additional-debs-file", "enable-recursive-additional-debs")))
+    debs = [_DISTRIBUTION.sub(distribution, line) for line in lines]
     if values.rmw_implementation and environment.get("ROS_VERSION") != "1":
-        distribution = values.ros_distro or environment.get("ROS_DISTRO", "")
         debs.append(f"ros-{distribution}-{values.rmw_implementation.replace('_', '-')}")
     for name in debs:
         if not re.fullmatch(r"[a-z0-9][a-z0-9.+-]*(:[a-z0-9-]+)?(=\S+)?", name):

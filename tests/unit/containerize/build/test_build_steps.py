@@ -112,7 +112,12 @@ NO_PACKAGE = 'CMake {0} at x:3:\n  Could not find a package configuration file p
         ("CalledProcessError: Command [python3, -c, run_setup(]", "fallback_version of setuptools_scm"),
         (NO_PACKAGE.format("Error", " with any"), "such as <depend>tf2_ros</depend>"),
         ("a.cpp:1:10: fatal error: tf2_ros/buffer.h: No such file or directory", "such as <depend>tf2_ros</depend>"),
-        ("a.cpp:1:10: fatal error: named/buffer.h: No such file or directory", ""),
+        *(
+            (f"a.cpp:1:10: fatal error: {header}: No such file or directory", header)
+            for header in ("named/buffer.h", "has/old.h")
+        ),
+        ("a.cpp:1:10: fatal error: has/new.h: No such file or directory", "such as <depend>has</depend>"),
+        ("/src/a.cpp:4:50: error: _1 was not declared", "/src/a.cpp:4:50: error: _1 was not declared"),
         (NO_PACKAGE.format("Warning", ""), ""),
         ("warning: Killed is a nice name; Error 1370", ""),
         ("gmake: *** [Makefile:146: all] Error 2", ""),
@@ -124,7 +129,10 @@ def test_a_build_says_why_it_failed_if_it_knows(line: str, says: str, tmp_path: 
     files = {"colcon.meta": "{}", "setup.py": "setup(use_scm_version=True)", "package.xml": "<depend>named</depend>"}
     for name, text in files.items():
         (tmp_path / "ws/src/target" / name).write_text(text)
-    end = workspace.build(COLCON_ARGS="--executor sequential", CMAKE_ARGS="-DA='b c'")
+    (tmp_path / "ros/include/has/has").mkdir(parents=True)
+    (tmp_path / "ros/include/has/has/new.h").touch()
+    words = {"COLCON_ARGS": "--executor sequential", "CMAKE_ARGS": "-DA='b c'"}
+    end = workspace.build(**words, CMAKE_PREFIX_PATH=f"/nothing:{tmp_path}/ros")
     assert end.returncode == 2, end.stderr
     call = workspace.calls.read_text()
     assert "build --base-paths src/target --metas src/target/colcon.meta " in call
@@ -150,6 +158,9 @@ def test_a_workspace_that_imports_nothing_calls_no_colcon(tmp_path: Path) -> Non
     (workspace.sources / "README").unlink()
     assert workspace.build("upstream").returncode == 0
     assert (tmp_path / "ws/src/upstream").is_dir() and not workspace.calls.exists()
+    (tmp_path / "ws/src/upstream/late").mkdir()
+    workspace.build("upstream")
+    assert workspace.calls.exists(), "docker/custom.sh may add packages, as in docker-ros"
 
 
 @pytest.mark.parametrize(("version", "skips"), [("1", True), ("2", False)])

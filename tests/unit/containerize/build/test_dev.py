@@ -109,7 +109,7 @@ def write(name: str, text: str = "x") -> Callable[[Path], None]:
     ("change", "again"),
     [
         (write("src/arm/package.xml", "<package><name>arm</name><depend>tf2</depend></package>"), True),
-        (write("docker/additional-debs.txt", "htop\n"), True),
+        (write("docker/additional-debs.txt", "htop\nros-$ROS_DISTRO-rviz2\n"), True),
         (write(".env", "BASE_IMAGE=ros:humble-base\n"), True),
         (write("src/arm/arm.cpp"), False),
         (write(f"{dev_folder.KEPT}/install/arm/package.xml", "<package><name>arm</name></package>"), False),

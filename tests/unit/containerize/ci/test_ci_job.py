@@ -324,6 +324,25 @@ def test_a_name_without_a_registry_is_docker_hubs(machine: Machine) -> None:
     assert images[0].reference == "docker.io/me/robot:latest"
 
 
+def test_a_slim_image_that_nobody_made_is_no_secret(
+    machine: Machine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The job is green, and who deploys its tag goes on with an older one."""
+    monkeypatch.setattr(Services, "of_docker", lambda folder: machine.services)
+    monkeypatch.setattr(Services, "require_builder", lambda self: None)
+    environment: dict[str, Any] = {
+        **GITHUB,
+        "GITHUB_WORKSPACE": str(tmp_path),
+        "IMAGE_NAME": f"{machine.services.registry}/me/robot",
+    }
+    environment |= {"GITHUB_STEP_SUMMARY": str(tmp_path / "page.md"), "ENABLE_SLIM": "true"}
+    for target, warns in (("run", True), ("run,slim", False), ("dev", False)):
+        words = ["build", "--out", str(tmp_path / "out")]
+        end = CliRunner().invoke(command.main, words, env={**environment, "TARGET": target})
+        text = f"::warning title=rosml containerize::no slim image: {machine.services.registry}/me/robot:latest-slim stays as"
+        assert end.exit_code == 0 and (text in end.stdout) == warns
+
+
 # ---- Tests -----------------------------------------------------------------------------------------------------------
 
 
@@ -356,3 +375,9 @@ def test_a_failed_test_is_shown_and_its_reports_are_kept(
     monkeypatch.setattr(Services, "require_builder", refuse)
     environment["IMAGE_TAG"] = "other"
     assert build() == ["::error title=rosml containerize::docker buildx does not answer"]
+
+
+def test_a_build_context_that_is_not_there_is_named(tmp_path: Path) -> None:
+    environment = {**GITHUB, "GITHUB_WORKSPACE": str(tmp_path), "BUILD_CONTEXT": "src"}
+    end = CliRunner().invoke(command.main, ["build", "--out", str(tmp_path / "out")], env=environment)
+    assert isinstance(end.exception, RosmlError) and str(tmp_path / "src") in end.exception.message

@@ -6,6 +6,7 @@ import json
 import os
 import re
 import shlex
+import subprocess
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -96,6 +97,13 @@ def test_lists_of_docker_ros_are_read(tmp_path: Path) -> None:
     assert "reads docker/additional-pip-requirements.txt, and not requirements.txt\n" in done.stderr
     dockerfile = (tmp_path / "a/Dockerfile").read_text()
     assert dockerfile.count("/run/src/target/docker/additional-debs.txt | xargs -r apt-get install ") == 2
+    [words] = {line.partition("sed ")[2].partition(" /run/")[0] for line in dockerfile.splitlines() if "sed " in line}
+    debs = "ros-$ROS_DISTRO-rviz2 # a comment\nros-${ROS_DISTRO}-gps-msgs\n#htop\n"
+    command, env = ["bash", "-c", f"sed {words}"], {**os.environ, "ROS_DISTRO": "jazzy"}
+    assert subprocess.check_output(command, env=env, input=debs, text=True).split() == [
+        "ros-jazzy-rviz2",
+        "ros-jazzy-gps-msgs",
+    ]
     assert dockerfile.count("pip install -r /run/src/target/docker/additional-pip-requirements.txt") == 2
     [kept] = [line for line in dockerfile.splitlines() if line.startswith("RUN find /src ")]
     assert all(f"! -name {name} " in kept for name in ("additional-debs.txt", "additional-pip-requirements.txt"))

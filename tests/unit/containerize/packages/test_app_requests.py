@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 import types
 from collections.abc import Callable
@@ -125,9 +126,18 @@ def test_what_a_repository_asks_for_is_written_down(folder: Path) -> None:
 def test_a_request_that_cannot_be_is_refused(folder: Path) -> None:
     with pytest.raises(RosmlError, match=r"additional-debs-file: there is no file debs\.txt"):
         requests(folder, {"additional-debs-file": "debs.txt"})
-    (folder / "docker/additional-debs.txt").write_text("htop; rm -rf /\n")
-    with pytest.raises(RosmlError, match="'htop; rm -rf /' is no package of apt"):
-        requests(folder, {})
+    for word in ("htop; rm -rf /", "ros-$ROS_DISTROS-gps-msgs", "$(id)"):
+        (folder / "docker/additional-debs.txt").write_text(f"{word}\n")
+        with pytest.raises(RosmlError, match=f"'{re.escape(word)}' is no package of apt"):
+            requests(folder, {}, {"ROS_DISTRO": "jazzy"})
+
+
+def test_packages_of_apt_may_name_the_distribution(folder: Path) -> None:
+    """As in docker-ros, where a shell reads them."""
+    (folder / "docker/additional-debs.txt").write_text("ros-$ROS_DISTRO-gps-msgs # a\nros-${ROS_DISTRO}-rviz2\n")
+    debs = "ros-humble-gps-msgs\nros-humble-rviz2\n"
+    assert requests(folder, {}, {"ROS_DISTRO": "humble"})["apt"] == debs
+    assert requests(folder, {"ros-distro": "humble"}, {})["apt"] == debs, "the base image has no ROS yet"
 
 
 @pytest.mark.parametrize(
