@@ -38,7 +38,8 @@ _NO_BASE = (
 )
 
 NO_SPACE_REMEDY = (
-    "free some disk space (rosml setup down; rosml setup clean removes all that was made), then run it again"
+    "free some disk space, then run it again: 'docker builder prune' empties the cache of Docker, if it builds; 'rosml setup clean'"
+    " removes all that was made here"
 )
 _NO_SPACE = ("no space left on device", NO_SPACE_REMEDY)
 _REFUSED_CONNECTION = (
