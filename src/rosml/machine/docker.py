@@ -19,7 +19,7 @@ DESKTOP = "docker-desktop"
 CONTAINERD_STORE = (
     'write {"features": {"containerd-snapshotter": true}} into /etc/docker/daemon.json, and restart Docker'
 )
-"""How Docker 24 or newer gets containerd's image store."""
+"""How Docker gets containerd's image store after an update: https://docs.docker.com/engine/storage/containerd"""
 
 
 @dataclass(frozen=True)

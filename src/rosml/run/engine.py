@@ -200,7 +200,7 @@ def _advice_on_loopback(engine: Engine, image: str) -> str:
     advice = "check its name; if its registry is down, call rosml setup in the checkout"
     has_network = engine.rootless and not engine.podman
     return (
-        f"{advice}; if docker has a network of its own, as without root before version 26, {by_file}"
+        f"{advice}; if docker has a network of its own, as without root before version 29.5, {by_file}"
         if has_network
         else advice
     )

@@ -244,7 +244,7 @@ def test_an_image_that_nobody_has(desk: Desk, image: str, remedy: str) -> None:
         (DOCKER, "check its name; if its registry is down, call rosml setup in the checkout;"),
         (
             ROOTLESS,
-            "if docker has a network of its own, as without root before version 26, give it a file: rosml save ",
+            "if docker has a network of its own, as without root before version 29.5, give it a file: rosml save ",
         ),
         (
             {**DOCKER, "Name": "robot"},

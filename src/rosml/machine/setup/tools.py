@@ -100,7 +100,7 @@ def _obstacle(engine: docker.Docker, unfit: Unfits) -> RosmlError | None:
         return RosmlError(text, "take this machine's Docker (unset DOCKER_HOST; docker context use default)")
     if any(isinstance(error, fitness.Unreached) for error in unfit.values()):
         text = "Docker does not reach the local registry, as it has a network of its own"
-        newer = "update it to Docker 26 or newer, with RootlessKit 2 or newer"
+        newer = "update it to Docker 29.5 or newer"  # https://github.com/moby/moby/pull/47103
         return RosmlError(
             text, newer if engine.rootless else "take a Docker Engine on this machine (docker context ls)"
         )

@@ -67,7 +67,10 @@ LOCAL = fitness.Unreached("connection refused")
             {"docker", "store", "hub", "unreached"},
             "needs root: Docker does not reach the local registry.*; take a Docker",
         ),
-        ({"docker", "store", "hub", "unreached", "rootless"}, "does not reach the local registry.*RootlessKit 2"),
+        (
+            {"docker", "store", "hub", "unreached", "rootless"},
+            "does not reach the local registry.*update it to Docker 29",
+        ),
         ({"docker", "store", "hub", "both unfit"}, "needs root: it crashes; call this as root"),
         ({"docker"}, "and Docker has no moby/buildkit:v1.*; or do without that image: .*containerd-snapshotter"),
         ({"docker", "store", "unfit"}, "docker pull moby/buildkit:v1$"),
