@@ -38,7 +38,8 @@ _NO_BASE = (
 )
 
 NO_SPACE_REMEDY = (
-    "free some disk space (rosml setup down; rosml setup clean removes all that was made), then run it again"
+    "free some disk space, then run it again: 'docker builder prune' empties the cache of Docker, if it builds; 'rosml setup clean'"
+    " removes all that was made here"
 )
 _NO_SPACE = ("no space left on device", NO_SPACE_REMEDY)
 _REFUSED_CONNECTION = (
@@ -73,6 +74,10 @@ _BUILDER_REMEDIES: _Remedies = (
         "the builder's BuildKit is too old for contexts with names: update Docker to 23 or newer, or unset BUILDX_BUILDER and run"
         " 'rosml setup', which makes a builder",
     ),
+    (
+        r"code = Unavailable\b.*\b(error reading from server|connection (error|refused)|closing)",
+        "the builder ended, or was restarted: run it again, finished steps are kept",
+    ),
     ("network.host is not allowed", "run 'rosml setup', which tells the builder of a mirror on this machine"),
     ("failed to dial", "run 'rosml setup', which starts what is down, then run it again"),
     (
@@ -98,6 +103,8 @@ _STEP_REMEDIES: _Remedies = (
 _SCRIPT_ERROR = re.compile(r"error: .+; .+")
 """The last line of a script of rosml that has the reason and its remedy."""
 
+_APT_DISK_FULL = re.compile(r"\(28: No space left on device\)")
+"""apt's words on a full disk. They may stand above a script's error: it takes a list that was cut off for one with a wrong signature."""
 
 CANCEL_SECONDS = 15.0
 
@@ -346,7 +353,7 @@ def _remedy(bake: Bake, progress: BuildProgress, step: Step | None) -> str:
     messages = [(line, _BUILDER_REMEDIES) for line in (*progress.other, step.error if step else "")]
     printed = list(step.tail) if step else []
     if printed and _SCRIPT_ERROR.match(printed[-1]):
-        printed = printed[-1:]
+        printed = [*filter(_APT_DISK_FULL.search, printed), printed[-1]]
     elif step and any(script in step.name for script in bake.foreign):
         printed = []
     messages += [(line, _STEP_REMEDIES) for line in printed]

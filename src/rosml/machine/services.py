@@ -14,6 +14,7 @@ import httpx
 from rosml.base import files, untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.shapes import adapter
+from rosml.machine import docker
 from rosml.registry import certificates, credentials
 
 NAMESPACE = "rosml"
@@ -38,6 +39,7 @@ class Services:
     ca_bundle: str  # the user's, an absolute path; empty if the system's certificates count
     bases: tuple[str, ...]  # the command that makes base images (`base_images`); empty for those of matrix.yaml
     no_engine: str = ""  # why the builder is not in the user's Docker itself
+    docker_address: str = ""  # of the user's Docker, if the builder is in it; empty if unknown
 
     @classmethod
     def load(cls, root: Path, required: bool = True) -> Services:
@@ -137,16 +139,30 @@ class Services:
             raise RosmlError("the builder is not up", REMEDY)
         if self.builder_kind == "user":
             remedy = f"start your builder '{self.builder}', or unset BUILDX_BUILDER and {REMEDY}"
+        if self.docker_address:
+            self._require_same_docker()
         argv = [*self.buildx, "inspect", self.builder]
         done = _inspect(argv, f"the builder '{self.builder}'", remedy, self.environment())
         status = _values(done.stdout, "Status")
         if done.returncode != 0 or "running" not in status:
+            reasons = _values(done.stdout, "Error")
             state = f"is {status[0]}" if status else "does not answer"
+            if reasons and not status:
+                state = f"{state}: {reasons[0]}"
+                if docker.SILENT.search(reasons[0]):
+                    remedy = docker.remedy(reasons[0]) + (f"; or {REMEDY}" if self.registry else "")
             raise RosmlError(f"the builder '{self.builder}' {state}", remedy)
         platforms = {name.strip(" *") for text in _values(done.stdout, "Platforms") for name in text.split(",")}
         if platform and platform not in platforms:
             text = f"the builder '{self.builder}' does not run programs for {platform}"
             raise RosmlError(text, "run 'rosml setup emulate'")
+
+    def _require_same_docker(self) -> None:
+        """Checks that `docker` asks the Docker of setup, since images are loaded into it, and containers start there."""
+        address = docker.address()
+        if address and address != self.docker_address:
+            text = f"the builder is the Docker at {self.docker_address}, and docker asks the one at {address}"
+            raise RosmlError(text, f"{REMEDY}, which looks at that one; or set DOCKER_HOST={self.docker_address}")
 
 
 def registry_answers(address: str) -> bool:

@@ -13,6 +13,7 @@ from rosml.base.errors import RosmlError
 from rosml.run import answers
 from rosml.run.answers import Answer
 from rosml.run.context import NEW_DOCKER, OLD_DOCKER, PODMAN_CDI, Container, Engine, Image
+from rosml.run.host import host
 from rosml.run.words import Line
 
 ENGINE = "ROSML_ENGINE"
@@ -184,9 +185,25 @@ def pull(command: str, line: Line) -> None:
     argv = [command, "pull", *options, line.image]
     if subprocess.run(argv, stdout=2, check=False).returncode:
         remedy = f"{_name_advice(line.image)}; if it is private: {command} login REGISTRY"
+        if LOCAL_REGISTRY.match(line.image):
+            remedy = _advice_on_loopback(engine, line.image)
         remedy += f"; if its registry has no TLS: rosml run {plain} {line.image}" if plain else ""
         remedy = remedy if engine.zstd else f"{NEW_DOCKER}, as {OLD_DOCKER}; otherwise: {remedy}"
         raise RosmlError(f"no image {line.image} here, and {command} cannot pull it", remedy)
+
+
+def _advice_on_loopback(engine: Engine, image: str) -> str:
+    """What to do if an engine does not get an image from a registry on this machine's loopback."""
+    by_file = f"give it a file: rosml save {image} -o image.tar, then rosml load image.tar"
+    if not engine.is_on(host(os.environ)):
+        return f"{engine.program} runs on another machine, {engine.machine}, whose loopback is another one; {by_file}"
+    advice = "check its name; if its registry is down, call rosml setup in the checkout"
+    has_network = engine.rootless and not engine.podman
+    return (
+        f"{advice}; if docker has a network of its own, as without root before version 29.5, {by_file}"
+        if has_network
+        else advice
+    )
 
 
 def _name_advice(image: str) -> str:

@@ -263,6 +263,10 @@ PUSH = "failed to push {}/a: unexpected status from PUT request to http://x/v2/a
         ),
         (PUSH.format("127.0.0.1:1", "500 Internal Server Error").replace("x/v2", "127.0.0.1:1/v2"), ".state/registry"),
         (PUSH.format("ghcr.io", "500 Internal Server Error"), ""),
+        (
+            "failed to receive status: rpc error: code = Unavailable desc = error reading from server: EOF",
+            "run it again",
+        ),
         ('process "/bin/sh -c x" did not complete successfully: exit code: 137', "--parallel-jobs"),
         ('process "/bin/sh -c x" did not complete successfully: exit code: 1', ""),
     ],
@@ -335,6 +339,15 @@ def test_a_script_of_ours_that_knows_the_reason_has_the_last_word(tmp_path: Path
         "error: packages did not arrive, after 5 tries (Failed to fetch http://x  403  Forbidden); check the network"
     )
     assert "its address" in builder.failure(bake, printed("Hash mismatch", last_line), tmp_path / "x.log", 1).remedy
+
+
+def test_apt_on_a_full_disk_takes_a_list_that_was_cut_off_for_a_forged_one(tmp_path: Path, bake: Bake) -> None:
+    lines = (
+        "  Error writing to file - write (28: No space left on device) [IP: 192.0.2.1 80]",
+        "W: GPG error: x InRelease",
+    )
+    last_line = "error: an apt source has no valid signature (GPG error: x InRelease); check the mirror"
+    assert "docker builder prune" in builder.failure(bake, printed(*lines, last_line), tmp_path / "x.log", 1).remedy
 
 
 def test_the_reason_may_stand_far_above_the_last_lines(tmp_path: Path, bake: Bake) -> None:

@@ -91,3 +91,34 @@ def test_builder_runs(tmp_path: Path) -> None:
     (tmp_path / "buildx").unlink()
     with pytest.raises(RosmlError, match="does not answer"):
         services.require_builder()
+
+
+@pytest.mark.parametrize(
+    ("reason", "remedy"),
+    [
+        ("permission denied while trying to connect to the docker API", "sudo usermod -aG docker $USER"),
+        ("failed to connect to the docker API at unix:///x", "sudo systemctl start docker"),
+    ],
+)
+@pytest.mark.parametrize(("registry", "again"), [("127.0.0.1:5001", "; or run 'rosml setup'"), ("", "")])
+def test_a_docker_that_builds_no_more(tmp_path: Path, reason: str, remedy: str, registry: str, again: str) -> None:
+    """buildx names no driver then, and ends without an error. Without a checkout, there is no setup."""
+    buildx = executable(tmp_path / "buildx", f"printf 'Name:   default\\nDriver: \\nError:  {reason}\\n'")
+    services = load(tmp_path, builder="default", buildx=[buildx], registry=registry)
+    with pytest.raises(RosmlError, match=f"the builder 'default' does not answer: {reason}") as caught:
+        services.require_builder()
+    assert remedy in caught.value.remedy and caught.value.remedy.endswith(again)
+
+
+def test_the_builder_is_in_the_docker_that_runs_the_images(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    buildx = executable(tmp_path / "buildx", "echo Status: running")
+    executable(tmp_path / "docker", 'echo "$DOCKER_HOST"')
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
+    services = load(tmp_path, builder_kind="engine", buildx=[buildx], docker_address="unix:///one")
+    for address in ("unix:///one", ""):  # a client that does not say counts as the same
+        monkeypatch.setenv("DOCKER_HOST", address)
+        services.require_builder()
+    monkeypatch.setenv("DOCKER_HOST", "ssh://robot")
+    with pytest.raises(RosmlError, match="the Docker at unix:///one, and docker asks the one at ssh://robot") as caught:
+        services.require_builder()
+    assert caught.value.remedy == "run 'rosml setup', which looks at that one; or set DOCKER_HOST=unix:///one"

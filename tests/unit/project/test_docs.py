@@ -261,7 +261,11 @@ def test_packages_of_other_images_are_where_the_page_says(real: ImageSet) -> Non
 
 
 THEIRS = {
-    *("permission denied while trying to connect to the Docker daemon socket", "exec format error"),
+    *(
+        "permission denied while trying to connect to the Docker daemon socket",
+        "to the docker API",
+        "exec format error",
+    ),
     *('could not select device driver "" with capabilities: [[gpu]]', "no space left on device"),
     "nvidia-container-cli: requirement error: unsatisfied condition: cuda>=13.0",
     *("archive/tar: invalid tar header", "unsupported frontend capability"),

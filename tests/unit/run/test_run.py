@@ -10,10 +10,11 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from fakes.desks import DOCKER, OTHER, OURS, PODMAN, UID, Desk, docker_desk, labelled, plain
+from fakes.desks import DOCKER, OTHER, OURS, PODMAN, ROOTLESS, UID, Desk, docker_desk, labelled, plain
 from fakes.http_registry import local_registry
 from fakes.stubs import services
 from rosml.registry import oci
@@ -256,6 +257,27 @@ def test_a_short_name_is_one_of_the_local_registry(desk: Desk, tmp_path: Path, r
         assert desk.call("robot:latest-dev", "pwd", **checkout).returncode == 0
         assert desk.ran[-2:] == [name, "pwd"]
         assert "error: no image other:latest here" in desk.call("other:latest", **checkout).stderr
+
+
+@pytest.mark.parametrize(
+    ("info", "remedy"),
+    [
+        (DOCKER, "check its name; if its registry is down, call rosml setup in the checkout;"),
+        (
+            ROOTLESS,
+            "if docker has a network of its own, as without root before version 29.5, give it a file: rosml save ",
+        ),
+        (
+            {**DOCKER, "Name": "robot"},
+            "docker runs on another machine, robot, whose loopback is another one; give it a",
+        ),
+    ],
+)
+def test_a_registry_on_loopback_that_the_engine_does_not_reach(desk: Desk, info: dict[str, Any], remedy: str) -> None:
+    desk.engine(info=info, images={})
+    done = desk.call("127.0.0.1:5000/rosml/ros:jazzy")
+    assert done.returncode == 125 and remedy in f"{done.stderr.partition('remedy: ')[2].strip()};"
+    assert "docker login" not in done.stderr
 
 
 def test_docker_that_reads_no_zstd_is_the_first_reason_why_it_cannot_pull(desk: Desk) -> None:

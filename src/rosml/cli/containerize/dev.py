@@ -143,6 +143,7 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
     if not build and (running := _running(program, caller.folder)):
         _enter(program, line, caller, running, key)
         return
+    _require_here(program, caller.folder)
     files = run.default_files(line, (*run.RESERVED, *RESERVED), caller.folder)
     questions.allow(replace(line, image=dev_folder.image_name(place)), files.project)
     record, facts = _image(program, place, values, key, line, build)
@@ -169,6 +170,17 @@ def _values(folder: Path, options: Mapping[str, str]) -> Values:
     inputs = {name: value for name, value in options.items() if value}
     manifest.require(folder, inputs, os.environ)
     return dev_folder.image_values(app_inputs.values({**inputs, "push": "false"}, folder, os.environ), folder)
+
+
+def _require_here(program: str, folder: str) -> None:
+    """Checks that the engine is not one of another machine, where it would mount a folder of the same name, or make an empty one."""
+    from rosml.base import web
+    from rosml.machine import docker
+
+    address = docker.address(program)
+    if address.startswith(("ssh:", "tcp:")) and not web.is_here(address):
+        remedy = "take this machine's (unset DOCKER_HOST; docker context use default), or call rosml dev there"
+        raise RosmlError(f"{program} asks the one at {address}, which does not have {folder}", remedy)
 
 
 def _running(program: str, folder: str) -> Container | None:

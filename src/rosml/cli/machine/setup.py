@@ -274,10 +274,9 @@ def _installer() -> Installer:
 def _docker_hub() -> bool:
     """Whether Docker Hub answers. Docker needs it for the builder; without Docker, base images are made here at once."""
     from rosml.machine.setup import network
-    from rosml.machine.setup.tools import docker_is_there
 
     installer = _installer()
-    return network.docker_hub_answers(installer.state.ca_bundle, attempts=3 if docker_is_there(installer) else 1)
+    return network.docker_hub_answers(installer.state.ca_bundle, attempts=3 if installer.docker.answers else 1)
 
 
 def _tools(hub: bool, tests: bool = False) -> Services:
@@ -289,19 +288,29 @@ def _tools(hub: bool, tests: bool = False) -> Services:
 
 
 def _up(hub: bool, tests: bool = False) -> None:
+    from rosml.base.errors import RosmlError
     from rosml.base.units import duration
     from rosml.machine.setup import services
     from rosml.machine.setup.fitness import Unfit
-    from rosml.machine.setup.tools import install
+    from rosml.machine.setup.tools import BUILDER, install
 
     state, started = state_of_checkout(), time.monotonic()
-    try:
-        services.up(state, _tools(hub, tests))
-    except Unfit as unfit:
-        if os.environ.get("BUILDX_BUILDER"):
-            raise
-        state.say(f"builder: Docker's own cannot build our images: {unfit.message}")
-        services.up(state, install(state, hub, tests, unfit.message.splitlines()[0]))
+    unfit: dict[str, Unfit] = {}
+    tools_of_machine = _tools(hub, tests)
+    while True:
+        try:
+            services.up(state, tools_of_machine)
+            break
+        except Unfit as error:
+            name = os.environ.get("BUILDX_BUILDER") or BUILDER
+            if name != BUILDER:
+                remedy = error.remedy or "unset BUILDX_BUILDER: setup finds another builder, or says what Docker lacks"
+                raise RosmlError(f"BUILDX_BUILDER={name}: {error.message}", remedy) from None
+            kind = tools_of_machine.builder_kind
+            whose = "Docker's own" if kind == "engine" else "the one in a container of Docker"
+            state.say(f"builder: {whose} cannot build our images: {error.message}")
+            unfit[kind] = error
+            tools_of_machine = install(state, hub, tests, unfit)
     state.say(f"setup: done in {duration(time.monotonic() - started)}")
 
 

@@ -60,11 +60,12 @@ class Base:
     local: bool = False  # in the user's Docker, and in no registry that answers
     adopted: Adopted | None = None  # the ROS to install on it, if it has none
     addons: AddOns | None = None
+    copy: str = ""  # the repository that the builder pulls from, if it is not that of the name
 
     @property
     def reference(self) -> str:
         """For the builder: by digest, as the tag may move. Docker finds its own images only by their names."""
-        return self.name if self.local else f"{self.repository}@{self.digest}"
+        return self.name if self.local else f"{self.copy or self.repository}@{self.digest}"
 
     @property
     def repository(self) -> str:
@@ -180,7 +181,7 @@ def _sought(text: str, names: Iterable[str]) -> str:
 
 
 def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest: str) -> Base | None:
-    """An operating system's image that this machine makes if Docker Hub does not answer. The builder uses it as the original."""
+    """An operating system's image that this machine makes if Docker Hub does not answer. It has the name of the original."""
     systems = load(MATRIX).matrix.operating_systems
     system = next((key for key, facts in systems.items() if facts.image == name), "")
     if not system:
@@ -190,7 +191,10 @@ def _made_here(name: str, services: Services, platforms: tuple[str, ...], digest
     with Registries(services.ca_bundle) as registries:
         registry = registries(services.registry if place.host == DOCKER_HUB else place.host)
         manifest = registry.manifest(place.repository, digest or place.reference)
-        return _read(registry, references.parse(name), manifest, platforms) if manifest else None
+        if manifest is None:
+            return None
+        base = _read(registry, references.parse(name), manifest, platforms)
+        return replace(base, copy=f"{place.host}/{place.repository}")
 
 
 def distribution(base: Base, matrix: Matrix) -> str:

@@ -146,8 +146,23 @@ def _up_user(state: State, services: Services) -> None:
 def _up_docker(state: State, services: Services, image: str) -> None:
     """A builder in a container of the user's Docker, on the host's network, to reach the registry on loopback.
 
-    Its steps get their own network if possible. If not, the reason is kept until the builder is made again.
+    If it is the first one, it is tried. Raises Unfit.
     """
+    is_first = not in_container(state)
+    try:
+        _make_docker(state, services, image)
+        if is_first:
+            fitness.require(services)
+    except RosmlError:
+        if is_first:  # the next setup looks for a builder again, since this one has no cache
+            with contextlib.suppress(RosmlError, OSError):
+                stop_docker(state, services)
+            _docker_config(state).unlink(missing_ok=True)
+        raise
+
+
+def _make_docker(state: State, services: Services, image: str) -> None:
+    """Its steps get their own network if possible. If not, the reason is kept until the builder is made again."""
     started = time.monotonic()
     reason_file, bridge = _reason(state), Bridge.read(_docker_config(state))
     reason = reason_file.read_text() if reason_file.exists() else ""

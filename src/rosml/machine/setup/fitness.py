@@ -25,6 +25,10 @@ class Unfit(RosmlError):
     """A builder cannot build our images."""
 
 
+class Unreached(Unfit):
+    """A builder gets no answer from the local registry."""
+
+
 def require(services: Services) -> None:
     """Builds a small image and pushes it to the local registry, as parts are pushed. Raises Unfit."""
     with tempfile.TemporaryDirectory() as name, Registry(services.registry) as registry:
@@ -42,7 +46,12 @@ def require(services: Services) -> None:
         (folder / "bake.json").write_text(json.dumps({"target": {"fit": target}}))
         try:
             _, facts = buildx.run(services, buildx.Bake("fit", "fitness", folder / "bake.json"))
+        except buildx.Unanswered as error:
+            unreached = error.push_target and not error.answer[:3].isdecimal()
+            raise (Unreached if unreached else Unfit)(error.message, error.remedy) from None
         except RosmlError as error:
+            if error.remedy == buildx.NO_SPACE_REMEDY:  # it could build before, and has the cache
+                raise
             raise Unfit(error.message, error.remedy) from None
         digest = facts.get("containerimage.digest", "")
         manifest = registry.manifest(REPOSITORY, digest) if digest else None

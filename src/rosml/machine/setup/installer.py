@@ -10,12 +10,15 @@ import subprocess
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
+from functools import cached_property
 from pathlib import Path
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.programs import Pin, parse_pin
 from rosml.base.units import duration, size
+from rosml.machine import docker
+from rosml.machine.docker import Docker
 from rosml.machine.setup import go_in_docker
 from rosml.machine.setup.process import Call, detached, end_group, output_of, run
 from rosml.machine.setup.state import State
@@ -104,6 +107,14 @@ class Installer:
         entries = os.environ.get("PATH", os.defpath).split(os.pathsep)
         return os.pathsep.join(entry for entry in entries if entry and Path(entry) != self.state.bin)
 
+    @property
+    def docker_program(self) -> str:
+        return shutil.which("docker", path=self.outer_path()) or ""
+
+    @cached_property
+    def docker(self) -> Docker:
+        return docker.ask(self.docker_program)
+
     # ---- Go -------------------------------------------------------------------------------------------------------
     def module(self, name: str) -> Path:
         return self.state.root / "tools" / "go" / name
@@ -176,7 +187,8 @@ class Installer:
     def _build(self, name: str, program: Path) -> None:
         pin = self.pin(name)
         title = f"{name} {pin.version}"
-        in_docker = "" if shutil.which("go", path=self.go_path()) or name in C_PROGRAMS else self._docker()
+        has_go = shutil.which("go", path=self.go_path()) is not None or name in C_PROGRAMS
+        in_docker = self.docker_program if not has_go and self.docker.answers else ""
         go = "go" if in_docker else self.go()
         free = shutil.disk_usage(self.state.folder).free
         if free < BUILD_BYTES:
@@ -194,11 +206,6 @@ class Installer:
             env = {**self.go_environment(), "CGO_ENABLED": "1" if name in C_PROGRAMS else "0"}
             run(self.state.say, Call(title, argv, log, env, self.module(name)))
         self.state.say(f"{title}: built from its Go module in {duration(time.monotonic() - started)}")
-
-    def _docker(self) -> str:
-        """The user's Docker, if it answers."""
-        docker = shutil.which("docker", path=self.outer_path())
-        return docker if docker and output_of([docker, "info", "--format", "{{.ServerVersion}}"]).strip() else ""
 
     def go(self) -> str:
         path = shutil.which("go", path=self.go_path())

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import os
-import re
 import shutil
+from collections.abc import Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
+from types import MappingProxyType
 from typing import NamedTuple
 
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_image
+from rosml.machine import docker
 from rosml.machine.services import Services
-from rosml.machine.setup import builder, step_network
+from rosml.machine.setup import builder, fitness, step_network
 from rosml.machine.setup.installer import ENGINE, Installer, dotted, version_in, which_system
 from rosml.machine.setup.process import output_of
 from rosml.machine.setup.state import State
@@ -24,18 +26,14 @@ BUILDER = "rosml"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome-stable", "google-chrome", "chromium-headless-shell")
 
 
-def docker_is_there(installer: Installer) -> bool:
-    return _docker(installer, "info", "--format", "{{.ServerVersion}}").strip() != ""
-
-
 def docker_has_buildkit(installer: Installer) -> bool:
     """Whether the user's Docker has BuildKit's image already, so that Docker Hub need not answer."""
     return _docker(installer, "image", "inspect", buildkit_image(installer.state)) != ""
 
 
 def _docker(installer: Installer, *arguments: str) -> str:
-    program = shutil.which("docker", path=installer.outer_path())
-    return output_of([program, *arguments], 10.0) if program else ""
+    program = installer.docker_program
+    return output_of([program, *arguments], docker.SECONDS) if program else ""
 
 
 def buildkit_image(state: State) -> str:
@@ -61,44 +59,67 @@ class Choice(NamedTuple):
     no_engine: str = ""
 
 
-def choose_builder(installer: Installer, hub: bool, unfit: str = "") -> Choice:
-    """The builder that BUILDX_BUILDER names, Docker's own, one in a container of Docker, or our own buildkitd.
+Unfits = Mapping[str, fitness.Unfit]
+"""Why builders of the user's Docker cannot build our images, by their kind; without those that were not tried."""
+NONE: Unfits = MappingProxyType({})
 
-    Args:
-        unfit: why Docker's own cannot build our images; empty if that was not tried.
-    """
+
+def choose_builder(installer: Installer, hub: bool, unfit: Unfits = NONE) -> Choice:
+    """The builder that BUILDX_BUILDER names, Docker's own, one in a container of Docker, or our own buildkitd."""
     name = os.environ.get("BUILDX_BUILDER", "")
     if name and name != BUILDER:
-        in_docker = re.search(r"^Driver: +docker$", _docker(installer, "buildx", "inspect", name), re.MULTILINE)
-        return Choice("engine" if in_docker else "user", name)
-    no_engine = f"BUILDX_BUILDER={BUILDER} asks for another one" if name else unfit or _no_engine(installer)
+        # buildx calls the BuildKit in a Docker as Docker calls its context, and lets nobody else have that name.
+        return Choice("engine" if _docker(installer, "context", "inspect", name) else "user", name)
+    no_engine = f"BUILDX_BUILDER={BUILDER} asks for another one" if name else _no_engine(installer, unfit)
     if not no_engine:
         return Choice("engine", _docker(installer, "context", "show").strip() or "default")
-    return Choice(*_other_builder(installer, hub), no_engine)
+    return Choice(*_other_builder(installer, hub, unfit), no_engine)
 
 
-def _no_engine(installer: Installer) -> str:
-    """Why the builder cannot be the BuildKit in the user's Docker, as far as it says itself; empty if it can."""
-    if not docker_is_there(installer):
+def _no_engine(installer: Installer, unfit: Unfits) -> str:
+    """Why the builder cannot be the BuildKit in the user's Docker, as far as we know; empty if it can."""
+    if not installer.docker.answers:
         return "no Docker answers"
-    if "io.containerd.snapshotter" not in _docker(installer, "info", "--format", "{{json .DriverStatus}}"):
-        return "its image store is not containerd's"
+    if obstacle := _obstacle(installer.docker, unfit):
+        return obstacle.message
+    if "engine" in unfit:
+        return unfit["engine"].message.splitlines()[0]
+    if not installer.docker.containerd_store:
+        return f"its image store is not containerd's; to change that, {docker.CONTAINERD_STORE}"
     if builder.in_container(installer.state):
         return "the builder in a container, which was made before, has the cache"
     return ""
 
 
-def _other_builder(installer: Installer, hub: bool) -> tuple[str, str]:
-    if docker_is_there(installer) and (hub or docker_has_buildkit(installer)):
+def _obstacle(engine: docker.Docker, unfit: Unfits) -> RosmlError | None:
+    """Why no builder of the user's Docker can serve this machine; None if one can."""
+    if not engine.answers:
+        return RosmlError(engine.silence, engine.remedy)
+    if engine.is_elsewhere:
+        text = f"Docker is on another machine, {engine.machine}, which does not reach the local registry of this one"
+        return RosmlError(text, "take this machine's Docker (unset DOCKER_HOST; docker context use default)")
+    if any(isinstance(error, fitness.Unreached) for error in unfit.values()):
+        text = "Docker does not reach the local registry, as it has a network of its own"
+        newer = "update it to Docker 29.5 or newer"  # https://github.com/moby/moby/pull/47103
+        return RosmlError(
+            text, newer if engine.rootless else "take a Docker Engine on this machine (docker context ls)"
+        )
+    return None
+
+
+def _other_builder(installer: Installer, hub: bool, unfit: Unfits) -> tuple[str, str]:
+    obstacle = _obstacle(installer.docker, unfit) or unfit.get("docker")
+    if not obstacle and (hub or docker_has_buildkit(installer)):
         return "docker", BUILDER
-    if os.geteuid() != 0:
-        if docker_is_there(installer):
-            image = buildkit_image(installer.state)
-            text = f"Docker Hub does not answer, and Docker has no {image}, which it needs to build"
-            raise RosmlError(text, f"call it again when Docker Hub answers, or: docker pull {image}")
-        text = "no Docker daemon answers, and without one the builder needs root"
-        raise RosmlError(text, "start Docker (or get access to it), or call this as root")
-    return "buildkitd", BUILDER
+    if os.geteuid() == 0:
+        return "buildkitd", BUILDER
+    if obstacle:
+        text = f"without Docker the builder needs root: {obstacle.message}"
+        raise RosmlError(text, f"{obstacle.remedy}; or call this as root" if obstacle.remedy else "call this as root")
+    image = buildkit_image(installer.state)
+    text = f"Docker Hub does not answer, and Docker has no {image}, which it needs to build"
+    store = "" if installer.docker.containerd_store else f"; or do without that image: {docker.CONTAINERD_STORE}"
+    raise RosmlError(text, f"call it again when Docker Hub answers, or: docker pull {image}{store}")
 
 
 def missing_packages(kind: str, hub: bool) -> dict[str, str]:
@@ -120,7 +141,7 @@ def _debian_packages(installer: Installer, packages: dict[str, str], kind: str) 
 
 def engine_packages(installer: Installer) -> dict[str, str]:
     """Docker, if no daemon answers and none can be started."""
-    if docker_is_there(installer) or which_system("dockerd"):
+    if installer.docker.answers or which_system("dockerd"):
         return {}
     return {"docker.io": "runs images for the tests of the runtime contract"}
 
@@ -128,13 +149,13 @@ def engine_packages(installer: Installer) -> dict[str, str]:
 def kept_engine(installer: Installer) -> None:
     """Takes a current Docker Engine for tests, if it was built before, and the machine's Docker does not answer."""
     engine = _engine(installer.state)
-    if not docker_is_there(installer) and all(engine.has(name) for name in ENGINE):
+    if not installer.docker.answers and all(engine.has(name) for name in ENGINE):
         _make(engine)
 
 
 def build_engine(installer: Installer) -> None:
     """Builds a current Docker Engine for tests, if no Docker answers, which they would use. It takes minutes, and a C compiler for runc."""
-    if docker_is_there(installer):
+    if installer.docker.answers:
         installer.state.say("engine: tests use your Docker")
         return
     installer.debian_packages(compiler_packages())
@@ -168,13 +189,15 @@ def browser_packages() -> dict[str, str]:
     return {"chromium": "opens the catalogue's page in its tests"}
 
 
-def install(state: State, hub: bool, tests: bool = False, unfit: str = "") -> Services:
+def install(state: State, hub: bool, tests: bool = False, unfit: Unfits = NONE) -> Services:
     """Finds or installs all tools of the services and builds; with `tests` also those of `make test`. `unfit`: see `choose_builder`.
 
     The services in the result have no registry, which is not started here.
     """
     installer = Installer(state)
     choice = choose_builder(installer, hub, unfit)
+    if choice.no_engine and installer.docker.answers and not unfit:
+        state.say(f"builder: not Docker's own: {choice.no_engine}")
     packages = missing_packages(choice.kind, hub)
     if tests:
         packages = {**packages, **engine_packages(installer), **browser_packages()}
@@ -211,4 +234,5 @@ def install(state: State, hub: bool, tests: bool = False, unfit: str = "") -> Se
         ca_bundle=state.ca_bundle,
         bases=() if hub else (str(state.root / ".venv/bin/python"), str(state.root / "tools/offline")),
         no_engine=choice.no_engine,
+        docker_address=docker.address(installer.docker_program) if choice.kind == "engine" else "",
     )

@@ -15,7 +15,8 @@ from rosml.base.errors import RosmlError
 from rosml.cli import main
 from rosml.cli.machine import setup as commands
 from rosml.machine.services import Services
-from rosml.machine.setup import services
+from rosml.machine.setup import services, tools
+from rosml.machine.setup.fitness import Unfit
 from rosml.machine.setup.installer import Installer
 from rosml.machine.setup.state import State
 
@@ -112,3 +113,32 @@ def test_room_is_made_on_githubs_machines_only(
     monkeypatch.setattr(commands, "PREINSTALLED", (str(big), str(tmp_path / "nowhere")))
     call(state, monkeypatch, "room")
     assert big.exists() == (where != "github-hosted")
+
+
+@pytest.mark.parametrize("name", ["", "desktop"])
+def test_setup_tries_the_next_builder(state: State, monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    """Docker's own, then the one in a container, then ours. One that BUILDX_BUILDER names is the only one."""
+    monkeypatch.setenv("BUILDX_BUILDER", name)
+    kinds = ["engine", "docker", "buildkitd"]
+
+    def install(_state: State, _hub: bool, _tests: bool, unfit: dict[str, Unfit]) -> Services:
+        assert [*unfit] == kinds[: len(unfit)]
+        return services_of(state, kinds[len(unfit)])
+
+    def up(_state: State, tools_of_machine: Services) -> None:
+        if tools_of_machine.builder_kind != "buildkitd":
+            raise Unfit("it pushes nothing")
+        tools_of_machine.save()
+
+    monkeypatch.setattr(commands, "_tools", lambda hub, tests: install(state, hub, tests, {}))
+    monkeypatch.setattr(tools, "install", install)
+    monkeypatch.setattr(services, "up", up)
+    monkeypatch.setenv("ROSML_DOCKER_HUB", "0")
+    if name:
+        with pytest.raises(RosmlError, match="BUILDX_BUILDER=desktop: it pushes nothing") as caught:
+            call(state, monkeypatch, "up")
+        assert "unset BUILDX_BUILDER" in caught.value.remedy
+        return
+    output = call(state, monkeypatch, "up")
+    assert "Docker's own cannot build" in output and "the one in a container of Docker cannot build" in output
+    assert Services.load(state.root).builder_kind == "buildkitd"

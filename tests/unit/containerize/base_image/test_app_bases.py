@@ -61,6 +61,11 @@ def test_debians_image_if_docker_hub_does_not_answer(
         base = app_base.find("debian:bookworm", with_copy, ("linux/amd64",), pinned)
         assert base.name == "docker.io/library/debian:bookworm"
         assert base.reference == f"docker.io/library/debian@{digest}"
+    monkeypatch.setenv("PATH", str(tmp_path))  # no image of the machine's own Docker counts
+    engine = dataclasses.replace(with_copy, builder_kind="engine")
+    base = app_base.find("debian:bookworm", engine, ("linux/amd64",))
+    assert base.name == "docker.io/library/debian:bookworm"
+    assert base.reference == f"{services.registry}/library/debian@{digest}", "Docker knows no mirror on loopback"
     for name, machine in (("debian:bookwrom", with_copy), ("debian:bookworm", services)):
         with pytest.raises(RosmlError, match=f"there is no image {name} in the local registry, and docker.io: "):
             app_base.find(name, machine, ("linux/amd64",))

@@ -27,6 +27,7 @@ from rosml.containerize.build import bake_file, dev_folder, step_order
 from rosml.containerize.build.result import ShellImage
 from rosml.containerize.ignored_files import IgnoredFiles
 from rosml.containerize.packages import workspace
+from rosml.machine import docker
 from rosml.run.plugins import basic_options
 
 COMMAND = bake_file.SCRIPTS / "containerize/desk_command.sh"
@@ -100,6 +101,19 @@ def write(name: str, text: str = "x") -> Callable[[Path], None]:
         (folder / name).write_text(text)
 
     return change
+
+
+@pytest.mark.parametrize("address", ["ssh://me@192.0.2.1", "tcp://192.0.2.1:2375"])
+def test_an_engine_of_another_machine_does_not_have_the_folder(
+    place: Place, monkeypatch: pytest.MonkeyPatch, address: str
+) -> None:
+    monkeypatch.setattr(docker, "address", lambda program: address)
+    with pytest.raises(RosmlError, match=f"docker asks the one at {address}, which does not have .*my robot") as caught:
+        place.call()
+    assert "unset DOCKER_HOST" in caught.value.remedy and not place.builds
+    for here in ("tcp://127.0.0.1:2375", "unix:///run/user/1/docker.sock", ""):
+        monkeypatch.setattr(docker, "address", lambda program, here=here: here)
+        place.call()
 
 
 # ---- The image -------------------------------------------------------------------------------------------------------

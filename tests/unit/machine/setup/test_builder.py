@@ -21,6 +21,8 @@ from fakes.setups import new_state, program, services_of
 from rosml.base.errors import RosmlError
 from rosml.base.programs import pinned_version
 from rosml.machine import buildx as buildx_of
+from rosml.machine import docker as docker_module
+from rosml.machine.docker import Docker
 from rosml.machine.services import Services
 from rosml.machine.setup import builder, fitness, services, step_network, tools
 from rosml.machine.setup.builder_cache import CacheLimits
@@ -38,7 +40,8 @@ def state(tmp_path: Path) -> State:
     return new_state(tmp_path)
 
 
-CONTAINERD = '[["driver-type","io.containerd.snapshotter.v1"]]'
+DENIED = Docker("Docker does not let you in: permission denied", "sudo usermod")
+LOCAL = fitness.Unreached("connection refused")
 
 
 @pytest.mark.parametrize(
@@ -51,33 +54,56 @@ CONTAINERD = '[["driver-type","io.containerd.snapshotter.v1"]]'
         ({"docker", "hub"}, "docker"),
         ({"docker", "image"}, "docker"),
         ({"docker", "root"}, "buildkitd"),  # Docker could not pull BuildKit
+        ({"docker", "store", "hub", "root", "elsewhere"}, "buildkitd"),
+        ({"docker", "store", "hub", "root", "unreached"}, "buildkitd"),
         ({"hub", "root"}, "buildkitd"),
-        ({"hub"}, "needs root"),
-        ({"docker"}, "Docker Hub does not answer, and Docker has no moby/buildkit"),
+        ({"hub"}, "needs root: Docker is not installed; install it; or call this as root"),
+        ({"hub", "denied"}, "needs root: Docker does not let you in: permission denied; sudo usermod; or call"),
+        (
+            {"docker", "store", "hub", "elsewhere"},
+            "needs root: Docker is on another machine, robot, .*unset DOCKER_HOST",
+        ),
+        (
+            {"docker", "store", "hub", "unreached"},
+            "needs root: Docker does not reach the local registry.*; take a Docker",
+        ),
+        (
+            {"docker", "store", "hub", "unreached", "rootless"},
+            "does not reach the local registry.*update it to Docker 29",
+        ),
+        ({"docker", "store", "hub", "both unfit"}, "needs root: it crashes; call this as root"),
+        ({"docker"}, "and Docker has no moby/buildkit:v1.*; or do without that image: .*containerd-snapshotter"),
+        ({"docker", "store", "unfit"}, "docker pull moby/buildkit:v1$"),
     ],
 )
 def test_choice_of_the_builder(state: State, monkeypatch: pytest.MonkeyPatch, has: set[str], kind: str) -> None:
     monkeypatch.setenv("BUILDX_BUILDER", "rosml" if "BUILDX_BUILDER" in has else "")
-    answers = {"info": CONTAINERD if "store" in has else "[]", "context": "desktop\n"}
-    monkeypatch.setattr(tools, "_docker", lambda installer, *words: answers.get(words[0], ""))
-    monkeypatch.setattr(tools, "docker_is_there", lambda installer: "docker" in has)
+    answers = {"context show": "desktop\n"}
+    monkeypatch.setattr(tools, "_docker", lambda installer, *words: answers.get(" ".join(words), ""))
     if "container" in has:
         (state.run / "buildkitd-docker.toml").write_text("")
-    unfit = "it is too old" if "unfit" in has else ""
     monkeypatch.setattr(tools, "docker_has_buildkit", lambda installer: "image" in has)
     monkeypatch.setattr(tools, "buildkit_image", lambda state: "moby/buildkit:v1")
     monkeypatch.setattr(os, "geteuid", lambda: 0 if "root" in has else 1000)
     installer = Installer(state)
+    machine = "robot" if "elsewhere" in has else os.uname().nodename
+    installer.docker = DENIED if "denied" in has else docker_module.ask("")
+    if "docker" in has:
+        installer.docker = Docker(machine=machine, containerd_store="store" in has, rootless="rootless" in has)
+    unfit = {"engine": fitness.Unfit("it is too old")} if {"unfit", "both unfit"} & has else {}
+    unfit |= {"engine": LOCAL} if "unreached" in has else {}
+    unfit |= {"docker": fitness.Unfit("it crashes")} if "both unfit" in has else {}
     if " " not in kind:
         choice = tools.choose_builder(installer, "hub" in has, unfit)
         assert choice[:2] == (kind, "desktop" if kind == "engine" else "rosml")
-        assert bool(choice.no_engine) == (kind != "engine") and unfit in choice.no_engine
+        assert bool(choice.no_engine) == (kind != "engine") and ("unfit" in has) == ("too old" in choice.no_engine)
     else:
-        with pytest.raises(RosmlError, match=kind):
-            tools.choose_builder(installer, "hub" in has)
+        with pytest.raises(RosmlError) as caught:
+            tools.choose_builder(installer, "hub" in has, unfit)
+        assert re.search(kind, f"{caught.value.message}; {caught.value.remedy}")
     monkeypatch.setenv("BUILDX_BUILDER", "mine")
     assert tools.choose_builder(installer, "hub" in has) == ("user", "mine", "")
-    answers["buildx"] = "Name:   mine\nDriver: docker\n"
+    answers["context inspect mine"] = "[{}]"  # Docker's client alone may say so: it may have no buildx
     assert tools.choose_builder(installer, "hub" in has) == ("engine", "mine", "")
 
 
@@ -202,7 +228,8 @@ def test_a_builder_whose_steps_get_no_network_of_their_own_says_so(
 
 
 @pytest.fixture
-def buildx(state: State) -> Path:
+def buildx(state: State, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setattr(fitness, "require", lambda _: None)
     return program(
         state.root / "fake",
         "buildx",
@@ -396,6 +423,32 @@ def test_builder_in_docker(state: State, buildx: Path) -> None:
         builder.up(state, other, IMAGE)
 
 
+@pytest.mark.parametrize("fails", ["start", "trial"])
+def test_a_first_builder_in_docker_that_cannot_build_is_not_kept(
+    state: State, buildx: Path, monkeypatch: pytest.MonkeyPatch, fails: str
+) -> None:
+    """If it were, the next setup would take it, although another builder may be better by then."""
+
+    def unfit(_: Services) -> None:
+        raise fitness.Unreached("connection refused")
+
+    working = buildx.read_text()
+    if fails == "start":
+        buildx.write_text(working.replace("rm -f", "touch"))
+    monkeypatch.setattr(fitness, "require", unfit)
+    docker = services_of(state, "docker", str(buildx))
+    with pytest.raises(RosmlError, match="no connection" if fails == "start" else "connection refused"):
+        builder.up(state, docker, IMAGE)
+    assert not builder.in_container(state)
+    assert (state.root / "calls").read_text().splitlines()[-1] == "stop rosml"
+    buildx.write_text(working)
+    monkeypatch.setattr(fitness, "require", lambda _: None)
+    builder.up(state, docker, IMAGE)
+    assert builder.in_container(state)
+    monkeypatch.setattr(fitness, "require", unfit)
+    builder.up(state, docker, IMAGE)  # it has a cache by now, and no trial may take it away
+
+
 def test_builder_in_docker_is_stopped(state: State, buildx: Path) -> None:
     for remove, action in ((False, "stop rosml"), (True, "rm --force rosml")):
         services_of(state, "docker", str(buildx)).save()
@@ -456,6 +509,30 @@ def test_a_builder_is_tried(
         fitness.require(services)
     with Registry(registry) as client:
         assert client.tags(fitness.REPOSITORY) == []
+
+
+@pytest.mark.parametrize(
+    ("error", "kind"),
+    [
+        (
+            buildx_of.Unanswered("x", "", "dial tcp 127.0.0.1:1: connection refused", "127.0.0.1:1/rosml/fitness"),
+            "Unreached",
+        ),
+        (buildx_of.Unanswered("x", "", "500 Internal Server Error", "127.0.0.1:1/rosml/fitness"), "Unfit"),
+        (RosmlError("x"), "Unfit"),
+        (RosmlError("x", buildx_of.NO_SPACE_REMEDY), "RosmlError"),  # it has the cache: no reason to take another one
+    ],
+)
+def test_why_a_trial_fails(
+    state: State, monkeypatch: pytest.MonkeyPatch, registry: str, error: RosmlError, kind: str
+) -> None:
+    def build(_: Services, bake: buildx_of.Bake) -> None:
+        raise error
+
+    monkeypatch.setattr(buildx_of, "run", build)
+    with pytest.raises(RosmlError) as caught:
+        fitness.require(replace(services_of(state, "engine"), registry=registry))
+    assert type(caught.value).__name__ == kind
 
 
 def test_a_builder_that_answers_is_not_cut_off(tmp_path: Path) -> None:

@@ -245,6 +245,7 @@ def test_services_json(state: State) -> None:
         "ca_bundle": "",
         "bases": [],
         "no_engine": "",
+        "docker_address": "",
     }
     assert Services.load(state.root) == services
 

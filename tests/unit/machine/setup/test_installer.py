@@ -14,6 +14,8 @@ from conftest import ROOT
 from fakes.setups import go_module, new_state, program
 from rosml.base import programs
 from rosml.base.errors import RosmlError
+from rosml.machine import docker
+from rosml.machine.docker import Docker
 from rosml.machine.setup import installer, process, step_network, tools
 from rosml.machine.setup.daemon import command_line, wait_until
 from rosml.machine.setup.installer import Installer
@@ -157,7 +159,7 @@ def test_an_engine_that_was_built_serves_the_tests_of_other_checkouts(state: Sta
 
 
 DOCKER = """\
-if [ "$1" = info ]; then echo 29.9.3; exit; fi
+if [ "$1" = info ]; then echo '{{"ServerVersion": "29.9.3"}}'; exit; fi
 for word; do case $word in
   --output=*) dest=${{word##*dest=}} ;;
   --file=*) cat "${{word#--file=}}" >{folder}/Dockerfile ;;
@@ -170,8 +172,8 @@ def test_without_go_docker_builds_a_program(state: State, monkeypatch: pytest.Mo
     """Its image is pinned, and the user's proxy for modules counts, whose password stays out of files."""
     go_module(state, "registry")
     shutil.copy(ROOT / "tools/images.txt", state.root / "tools")
-    docker = program(state.root / "mine", "docker", DOCKER.format(folder=state.root))
-    monkeypatch.setenv("PATH", f"{docker.parent}:/usr/bin:/bin")
+    client = program(state.root / "mine", "docker", DOCKER.format(folder=state.root))
+    monkeypatch.setenv("PATH", f"{client.parent}:/usr/bin:/bin")
     monkeypatch.setenv("GOPROXY", "https://me:pw-of-proxy@proxy.example")
     monkeypatch.setattr(Installer, "go_path", lambda self: "/nowhere")
     assert Path(Installer(state).go_program("registry")).read_text() == "\n"
@@ -203,7 +205,7 @@ def test_a_failure_of_apt_ends_the_setup(state: State, bare: Path) -> None:
 def test_packages_of_the_tests_that_are_installed(
     state: State, monkeypatch: pytest.MonkeyPatch, answers: bool, installed: list[str]
 ) -> None:
-    monkeypatch.setattr(tools, "docker_is_there", lambda installer: answers)
+    monkeypatch.setattr(docker, "ask", lambda program: Docker("" if answers else "Docker does not answer"))
     monkeypatch.setattr(tools, "which_system", lambda name: name if name in installed else None)
     assert not tools.engine_packages(Installer(state)) and not tools.browser_packages()
 
