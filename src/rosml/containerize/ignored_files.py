@@ -83,7 +83,8 @@ class IgnoredFiles:
 
 def _rules(text: str, file: Path) -> list[_Rule]:
     rules, wild = list[_Rule](), 0
-    for line in text.splitlines():
+    # The last rule that matches counts, and so the last of equal ones.
+    for line in reversed(dict.fromkeys(reversed(text.splitlines()))):
         pattern = line.strip()
         if not pattern or line.startswith("#"):
             continue
