@@ -267,7 +267,7 @@ def write_requests(values: Values, folder: Path, upstream: Path, environment: Ma
 
     distribution = values.ros_distro or environment.get("ROS_DISTRO", "")
     lines = lines_of("".join(texts("additional-debs-file", "enable-recursive-additional-debs")))
-    debs = [_DISTRIBUTION.sub(distribution, line) for line in lines]
+    debs = [_DISTRIBUTION.sub(distribution, word) for line in lines for word in line.split()]
     if values.rmw_implementation and environment.get("ROS_VERSION") != "1":
         debs.append(f"ros-{distribution}-{values.rmw_implementation.replace('_', '-')}")
     for name in debs:
