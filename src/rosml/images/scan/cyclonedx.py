@@ -1,0 +1,183 @@
+"""Makes an SBOM in CycloneDX 1.6 of an image's packages: https://cyclonedx.org/docs/1.6/json/"""
+
+from __future__ import annotations
+
+import re
+import uuid
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from email.utils import parseaddr
+
+from cyclonedx.model import ExternalReference, Property, XsUri
+from cyclonedx.model.bom import Bom, BomMetaData
+from cyclonedx.model.component import Component, ComponentType
+from cyclonedx.model.contact import OrganizationalContact, OrganizationalEntity
+from cyclonedx.model.license import DisjunctiveLicense, License, LicenseExpression
+from cyclonedx.model.tool import ToolRepository
+from cyclonedx.output.json import JsonV1Dot6
+from packageurl import PackageURL
+
+from rosml import __version__
+from rosml.images.scan import spdx
+from rosml.images.scan.packages import Apt, Packages, Python, Ros
+
+FILENAME = "bsi:component:filename"
+"""The property with the name of the file that was installed: https://github.com/BSI-Bund/tr-03183-cyclonedx-property-taxonomy"""
+
+LONGEST = 200
+"""The most characters of a person's name."""
+
+
+@dataclass(frozen=True)
+class Origin:
+    """Where a ROS package of an app comes from."""
+
+    properties: Mapping[str, str] = field(default_factory=dict)
+    references: tuple[ExternalReference, ...] = ()
+
+
+def document(
+    contents: Packages, reference: str, created: float = 0.0, of_ros: Callable[[str], Origin] = lambda name: Origin()
+) -> bytes:
+    """The SBOM of an image. The same packages and time give the same bytes.
+
+    Versions and sources of Debian packages are in package URLs, and in properties with trivy's names:
+    https://github.com/package-url/purl-spec/blob/main/types-doc/deb-definition.md
+
+    Args:
+        reference: of the image, with its digest.
+        created: when the image was made, in seconds since 1970.
+        of_ros: the origin of a ROS package, by its name.
+    """
+    image = Component(name=reference, type=ComponentType.CONTAINER, bom_ref=reference)
+    tool = Component(name="rosml", version=__version__, type=ComponentType.APPLICATION)
+    about = BomMetaData(
+        component=image,
+        timestamp=datetime.fromtimestamp(created, UTC),
+        tools=ToolRepository(components=[tool]),
+        authors=[OrganizationalContact(name="rosml")],
+    )
+    components = _Components(contents, of_ros)
+    bom = Bom(components=components.all(), metadata=about, serial_number=uuid.uuid5(uuid.NAMESPACE_URL, reference))
+    bom.register_dependency(image, bom.components)
+    for component, needs in components.needs():
+        bom.register_dependency(component, needs)
+    return JsonV1Dot6(bom).output_as_string().encode()
+
+
+class _Components:
+    """The components of an image, by what others call them."""
+
+    def __init__(self, contents: Packages, of_ros: Callable[[str], Origin]) -> None:
+        system = contents.system
+        self._whole = "-".join(filter(None, (system.name, system.version)))
+        self._contents = contents
+        self._apt = {(it.name, it.architecture): self._of_apt(it) for it in contents.apt}
+        self._python = {_normalised(it.name): _of_python(it) for it in contents.python}
+        self._ros = {it.name: _of_ros(it, of_ros(it.name)) for it in contents.ros}
+
+    def all(self) -> Iterator[Component]:
+        system = self._contents.system
+        if self._whole:
+            kind = ComponentType.OPERATING_SYSTEM
+            yield Component(name=system.name, version=system.version, type=kind, bom_ref=self._whole)
+        unique = {it.bom_ref.value: it for group in (self._apt, self._python, self._ros) for it in group.values()}
+        yield from unique.values()
+
+    def needs(self) -> Iterator[tuple[Component, list[Component]]]:
+        """What each component needs of the others."""
+        provided = self._provided()
+        for package in self._contents.apt:
+            component = self._apt[package.name, package.architecture]
+            yield component, _others(component, _of_relations(package.depends, provided))
+        for wheel in self._contents.python:
+            component = self._python[_normalised(wheel.name)]
+            names = [_normalised(re.split(r"[^\w.-]", text.strip(), maxsplit=1)[0]) for text in wheel.requires]
+            needed = [name for name, text in zip(names, wheel.requires, strict=True) if "extra" not in text]
+            yield component, _others(component, (self._python.get(name) for name in needed))
+        for ros in self._contents.ros:
+            component = self._ros[ros.name]
+            yield component, _others(component, (self._ros.get(name) for name in ros.depends))
+
+    def _provided(self) -> dict[str, Component]:
+        """The packages of the system by name, and by the names that they provide."""
+        virtual = {
+            name: self._apt[package.name, package.architecture]
+            for package in self._contents.apt
+            for name, *_ in map(str.split, filter(str.strip, package.provides.split(",")))
+        }
+        return virtual | {name: component for (name, _), component in self._apt.items()}
+
+    def _of_apt(self, package: Apt) -> Component:
+        system = self._contents.system.name
+        qualifiers = {"arch": package.architecture, "distro": self._whole}
+        facts = {"PkgType": system, "SrcName": package.source, "SrcVersion": package.source_version}
+        version = package.version.partition(":")[2] or package.version
+        properties = {f"aquasecurity:trivy:{name}": value for name, value in facts.items()}
+        properties[FILENAME] = f"{package.name}_{version}_{package.architecture}.deb"
+        licenses = _licenses(spdx.of_debian(package.licenses), f"file:///usr/share/doc/{package.name}/copyright")
+        purl = PackageURL("deb", system, package.name, package.version, qualifiers)
+        return _library(purl, package, package.maintainer, licenses, Origin(properties))
+
+
+def _of_python(wheel: Python) -> Component:
+    licenses = _licenses(spdx.of_wheel(wheel.licenses), "")
+    return _library(PackageURL("pypi", None, wheel.name, wheel.version), wheel, wheel.author, licenses, Origin())
+
+
+def _of_ros(ros: Ros, origin: Origin) -> Component:
+    licenses = _licenses(spdx.of_debian(ros.licenses), "")
+    return _library(PackageURL("generic", "ros", ros.name, ros.version), ros, ros.maintainer, licenses, origin)
+
+
+def _library(
+    purl: PackageURL, package: Apt | Python | Ros, supplier: str, licenses: Iterable[License], origin: Origin
+) -> Component:
+    name, address = parseaddr(supplier)
+    title = (name or address or supplier).strip()[:LONGEST]
+    contacts = [OrganizationalContact(email=address)] if name and "@" in address else []
+    return Component(
+        name=package.name,
+        version=package.version,
+        type=ComponentType.LIBRARY,
+        bom_ref=purl.to_string(),
+        purl=purl,
+        supplier=OrganizationalEntity(name=title, contacts=contacts) if title else None,
+        licenses=licenses,
+        properties=[Property(name=key, value=value) for key, value in origin.properties.items()],
+        external_references=origin.references,
+    )
+
+
+def _licenses(licenses: list[spdx.License], place: str) -> list[License]:
+    """CycloneDX 1.6 takes one expression alone, or else identifiers and names. `place`: of a text in the image."""
+    url = XsUri(place) if place else None
+    if one := spdx.together(licenses):
+        return [LicenseExpression(one.text) if one.is_compound else DisjunctiveLicense(id=one.text)]
+    if not licenses and place:
+        return [DisjunctiveLicense(name="as its copyright file says", url=url)]
+    return [
+        DisjunctiveLicense(id=it.text)
+        if it.is_spdx and not it.is_compound
+        else DisjunctiveLicense(name=it.text, url=url)
+        for it in licenses
+    ]
+
+
+def _normalised(name: str) -> str:
+    """A wheel's name as its requirements may write it: https://packaging.python.org/en/latest/specifications/name-normalization/"""
+    return re.sub(r"[-_.]+", "-", name).lower()
+
+
+def _of_relations(text: str, provided: Mapping[str, Component]) -> Iterator[Component | None]:
+    """Of each relation of Debian, `a | b (>= 1), c:any`, the first package that is there."""
+    for relation in filter(str.strip, text.split(",")):
+        names = (re.split(r"[\s:(]", other.strip(), maxsplit=1)[0] for other in relation.split("|"))
+        yield next((provided[name] for name in names if name in provided), None)
+
+
+def _others(component: Component, needs: Iterable[Component | None]) -> list[Component]:
+    """These without the component itself, each once."""
+    by_ref = {it.bom_ref.value: it for it in needs if it is not None}
+    return [it for ref, it in by_ref.items() if ref != component.bom_ref.value]
