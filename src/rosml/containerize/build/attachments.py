@@ -73,13 +73,14 @@ def attach(
         has_sbom = _has_sbom(registry, repository, manifest.digest)
         if has_sbom and not missing:
             continue
-        name = platform(registry.config(repository, manifest).facts)
+        config = registry.config(repository, manifest).facts
+        name = platform(config)
         subject = manifest.descriptor
         for kind, artifact, media_type in missing:
             registry.attach(repository, subject, artifact, load(name, kind), media_type)
         if not has_sbom:
             image = f"{registry.host}/{repository}@{manifest.digest}"
-            data = sbom(load(name, PACKAGES), image, created(registry, repository, manifest), sources)
+            data = sbom(load(name, PACKAGES), image, created(config), sources)
             registry.attach(repository, subject, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
 
 

@@ -21,9 +21,10 @@ from rosml.images.scan import cyclonedx, packages, sbom
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
+from rosml.registry.documents import Config
 from rosml.registry.oci import Manifest
 
-FORMAT = "facts.v1"
+FORMAT = "sbom.v2"
 """What is attached beside the SBOM and the list of files. With another one, all images are described again, without a build."""
 
 PACKAGES = "packages.json"
@@ -55,16 +56,18 @@ def attach(
             if not registry.referrers(repository, manifest.digest, artifact):
                 registry.attach(repository, manifest.descriptor, artifact, listing[name], media_type)
         image = f"{registry.host}/{repository}@{manifest.digest}"
-        document = cyclonedx.document(packages.read(listing[PACKAGES]), image, created(registry, repository, manifest))
+        document = cyclonedx.document(
+            packages.read(listing[PACKAGES]), image, created(registry.config(repository, manifest).facts)
+        )
         kind = sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
         sboms[manifest.digest] = registry.attach(repository, manifest.descriptor, *kind)
     return sboms
 
 
-def created(registry: Registry, repository: str, manifest: Manifest) -> float:
-    """When an image was made, in seconds since 1970; 0 if it does not say."""
+def created(config: Config) -> float:
+    """When an image was made, in seconds since 1970; 0 if its config does not say."""
     with suppress(ValueError):
-        return datetime.fromisoformat(str(registry.config(repository, manifest).facts.created)).timestamp()
+        return datetime.fromisoformat(config.created or "").timestamp()
     return 0.0
 
 

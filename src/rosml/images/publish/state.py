@@ -187,9 +187,9 @@ class State:
             why.append(moved)
         if item.key not in self.present:
             why.append("it is not in the registry any more")
-        if item.kind != "joined" and not entry.sbom:  # an older version of this program made SBOMs in the scan
+        if not entry.sbom:
             why.append("it has no SBOM")
-        elif item.kind != "joined" and entry.described != contents.FORMAT:
+        elif entry.described != contents.FORMAT:
             why.append(UNDESCRIBED)
         for target in item.needs:
             part = self.entries.get((target, item.architecture))

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from email.utils import parseaddr
+from typing import Any
 
 from cyclonedx.model import ExternalReference, Property, XsUri
 from cyclonedx.model.bom import Bom, BomMetaData
@@ -19,11 +20,17 @@ from cyclonedx.output.json import JsonV1Dot6
 from packageurl import PackageURL
 
 from rosml import __version__
+from rosml.base import untrusted
 from rosml.images.scan import spdx
-from rosml.images.scan.packages import Apt, Packages, Python, Ros
+from rosml.images.scan.packages import Apt, Packages, Python, Ros, System
+from rosml.images.scan.sbom import Sbom
+from rosml.registry import oci
 
 FILENAME = "bsi:component:filename"
 """The property with the name of the file that was installed: https://github.com/BSI-Bund/tr-03183-cyclonedx-property-taxonomy"""
+
+PART = "io.rosml.part"
+"""The property of a component of a joined image with the name of the part that has it."""
 
 LONGEST = 200
 """The most characters of a person's name."""
@@ -64,6 +71,36 @@ def document(
     for component, needs in components.needs():
         bom.register_dependency(component, needs)
     return JsonV1Dot6(bom).output_as_string().encode()
+
+
+def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]]) -> bytes:
+    """The SBOM of an image that was joined from others, by theirs, the lowest first: no layer is read.
+
+    Args:
+        sboms: those of the parts, each with the part's name. Its components get the name as a property, unless it is empty or they have one.
+    """
+    components, needs = dict[str, dict[str, Any]](), dict[str, set[str]]()
+    for part, sbom in sboms:
+        for component in sbom.components:
+            components.setdefault(str(component["bom-ref"]), _of_part(component, part))
+        for dependency in sbom.document.dependencies:
+            needs.setdefault(dependency.ref, set()).update(dependency.dependsOn)
+    empty = Packages(system=System(name="", version=""), apt=[], python=[], ros=[])
+    whole = untrusted.json_value(document(empty, reference, created))
+    needs = {
+        reference: {*components},
+        **{ref: refs & components.keys() for ref, refs in needs.items() if ref in components},
+    }
+    whole["components"] = [components[ref] for ref in sorted(components)]
+    whole["dependencies"] = [{"ref": ref, "dependsOn": sorted(refs)} for ref, refs in sorted(needs.items())]
+    return oci.encoded(whole)
+
+
+def _of_part(component: dict[str, Any], part: str) -> dict[str, Any]:
+    properties = component.get("properties", [])
+    if not part or any(it.get("name") == PART for it in properties):
+        return component
+    return {**component, "properties": [*properties, {"name": PART, "value": part}]}
 
 
 class _Components:
