@@ -201,7 +201,7 @@ def _python(place: Path) -> dict[str, Any]:
 
 AUTHORS = ("Author", "Author-email", "Maintainer", "Maintainer-email")
 LICENSES = ("License-Expression", "License")
-"""Fields of a wheel, the most telling first: https://packaging.python.org/en/latest/specifications/core-metadata/"""
+"""Fields of a wheel, the most telling first: https://packaging.python.org/specifications/core-metadata/"""
 
 
 def _ros(place: Path) -> dict[str, Any]:

@@ -169,8 +169,8 @@ class Attachments:
     def new_sbom(self, app: Source, base: BaseContents, reference: str) -> bytes:
         """The SBOM of the new image `reference`: the base image's components, and the app's own."""
         of_base = (sbom.Sbom(content) for place in base.places for content in self._sboms(place))
-        own = (sbom.Sbom(content, _is_of_app(self.app_facts(app))) for content in self._sboms(_place(app)))
-        return cyclonedx.joined(reference, created(app.config.facts), (("", item) for item in (*of_base, *own)))
+        of_app = (sbom.Sbom(content, _is_of_app(self.app_facts(app))) for content in self._sboms(_place(app)))
+        return cyclonedx.joined(reference, created(app.config.facts), (("", item) for item in (*of_base, *of_app)))
 
 
 def _place(source: Source) -> Reference:

@@ -104,47 +104,46 @@ def _of_part(component: dict[str, Any], part: str) -> dict[str, Any]:
 
 
 class _Components:
-    """The components of an image, by what others call them."""
+    """The components of an image, each with what its package says. An image may have several versions of a wheel."""
 
     def __init__(self, contents: Packages, of_ros: Callable[[str], Origin]) -> None:
         system = contents.system
         self._whole = "-".join(filter(None, (system.name, system.version)))
         self._contents = contents
-        self._apt = {(it.name, it.architecture): self._of_apt(it) for it in contents.apt}
-        self._python = {_normalised(it.name): _of_python(it) for it in contents.python}
-        self._ros = {it.name: _of_ros(it, of_ros(it.name)) for it in contents.ros}
+        self._apt = [(self._of_apt(it), it) for it in contents.apt]
+        self._python = [(_of_python(it), it) for it in contents.python]
+        self._ros = [(_of_ros(it, of_ros(it.name)), it) for it in contents.ros]
 
     def all(self) -> Iterator[Component]:
         system = self._contents.system
         if self._whole:
             kind = ComponentType.OPERATING_SYSTEM
             yield Component(name=system.name, version=system.version, type=kind, bom_ref=self._whole)
-        unique = {it.bom_ref.value: it for group in (self._apt, self._python, self._ros) for it in group.values()}
-        yield from unique.values()
+        pairs = (*self._apt, *self._python, *self._ros)
+        yield from {component.bom_ref.value: component for component, _ in pairs}.values()
 
     def needs(self) -> Iterator[tuple[Component, list[Component]]]:
         """What each component needs of the others."""
         provided = self._provided()
-        for package in self._contents.apt:
-            component = self._apt[package.name, package.architecture]
+        for component, package in self._apt:
             yield component, _others(component, _of_relations(package.depends, provided))
-        for wheel in self._contents.python:
-            component = self._python[_normalised(wheel.name)]
-            names = [_normalised(re.split(r"[^\w.-]", text.strip(), maxsplit=1)[0]) for text in wheel.requires]
-            needed = [name for name, text in zip(names, wheel.requires, strict=True) if "extra" not in text]
-            yield component, _others(component, (self._python.get(name) for name in needed))
-        for ros in self._contents.ros:
-            component = self._ros[ros.name]
-            yield component, _others(component, (self._ros.get(name) for name in ros.depends))
+        wheels = {_normalised(wheel.name): component for component, wheel in self._python}
+        for component, wheel in self._python:
+            texts = [text for text in wheel.requires if "extra" not in text]
+            names = (_normalised(re.split(r"[^\w.-]", text.strip(), maxsplit=1)[0]) for text in texts)
+            yield component, _others(component, map(wheels.get, names))
+        packages = {ros.name: component for component, ros in self._ros}
+        for component, ros in self._ros:
+            yield component, _others(component, map(packages.get, ros.depends))
 
     def _provided(self) -> dict[str, Component]:
         """The packages of the system by name, and by the names that they provide."""
         virtual = {
-            name: self._apt[package.name, package.architecture]
-            for package in self._contents.apt
-            for name, *_ in map(str.split, filter(str.strip, package.provides.split(",")))
+            words[0]: component
+            for component, package in self._apt
+            for words in map(str.split, filter(str.strip, package.provides.split(",")))
         }
-        return virtual | {name: component for (name, _), component in self._apt.items()}
+        return virtual | {package.name: component for component, package in self._apt}
 
     def _of_apt(self, package: Apt) -> Component:
         system = self._contents.system.name
@@ -155,22 +154,26 @@ class _Components:
         properties[FILENAME] = f"{package.name}_{version}_{package.architecture}.deb"
         licenses = _licenses(spdx.of_debian(package.licenses), f"file:///usr/share/doc/{package.name}/copyright")
         purl = PackageURL("deb", system, package.name, package.version, qualifiers)
-        return _library(purl, package, package.maintainer, licenses, Origin(properties))
+        ref = f"apt:{package.name}:{package.architecture}@{package.version}"
+        return _library(ref, purl, package, package.maintainer, licenses, Origin(properties))
 
 
 def _of_python(wheel: Python) -> Component:
     licenses = _licenses(spdx.of_wheel(wheel.licenses), "")
-    return _library(PackageURL("pypi", None, wheel.name, wheel.version), wheel, wheel.author, licenses, Origin())
+    purl = PackageURL("pypi", None, wheel.name, wheel.version)
+    return _library(f"pypi:{purl.name}@{wheel.version}", purl, wheel, wheel.author, licenses, Origin())
 
 
 def _of_ros(ros: Ros, origin: Origin) -> Component:
     licenses = _licenses(spdx.of_debian(ros.licenses), "")
-    return _library(PackageURL("generic", "ros", ros.name, ros.version), ros, ros.maintainer, licenses, origin)
+    purl = PackageURL("generic", "ros", ros.name, ros.version)
+    return _library(f"ros:{ros.name}@{ros.version}", purl, ros, ros.maintainer, licenses, origin)
 
 
 def _library(
-    purl: PackageURL, package: Apt | Python | Ros, supplier: str, licenses: Iterable[License], origin: Origin
+    ref: str, purl: PackageURL, package: Apt | Python | Ros, supplier: str, licenses: Iterable[License], origin: Origin
 ) -> Component:
+    """A component. `ref` is what others call it: short, since each of them does."""
     name, address = parseaddr(supplier)
     title = (name or address or supplier).strip()[:LONGEST]
     contacts = [OrganizationalContact(email=address)] if name and "@" in address else []
@@ -178,7 +181,7 @@ def _library(
         name=package.name,
         version=package.version,
         type=ComponentType.LIBRARY,
-        bom_ref=purl.to_string(),
+        bom_ref=ref,
         purl=purl,
         supplier=OrganizationalEntity(name=title, contacts=contacts) if title else None,
         licenses=licenses,
@@ -203,7 +206,7 @@ def _licenses(licenses: list[spdx.License], place: str) -> list[License]:
 
 
 def _normalised(name: str) -> str:
-    """A wheel's name as its requirements may write it: https://packaging.python.org/en/latest/specifications/name-normalization/"""
+    """A wheel's name as its requirements may write it: https://packaging.python.org/specifications/name-normalization/"""
     return re.sub(r"[-_.]+", "-", name).lower()
 
 

@@ -55,7 +55,7 @@ class Document(Model):
 
     bomFormat: Literal["CycloneDX"]
     metadata: About | None = None
-    components: list[Component]
+    components: list[Component] = []
     dependencies: list[Dependency] = []
 
 
@@ -78,7 +78,7 @@ class Sbom:
     def components(self) -> list[dict[str, Any]]:
         """All that it says of its components."""
         assert self.document, "it is read, to check it"
-        components: list[dict[str, Any]] = untrusted.json_value(self.content, LARGEST)["components"]
+        components: list[dict[str, Any]] = untrusted.json_value(self.content, LARGEST).get("components", [])
         return [*filter(self.counts, components)]
 
     @cached_property

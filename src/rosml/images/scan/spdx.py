@@ -64,7 +64,7 @@ CLASSIFIERS = {
     "The Unlicense (Unlicense)": "Unlicense",
     "zlib/libpng License": "Zlib",
 }
-"""Classifiers of wheels that mean one licence: https://pypi.org/classifiers/"""
+"""Classifiers of wheels that mean one licence, as PyPI lists them."""
 
 
 @dataclass(frozen=True)

@@ -288,11 +288,12 @@ def test_the_place_of_a_ros_package(url: str, written: str | None) -> None:
 
 
 def test_what_nobody_knows_is_left_out_and_the_same_name_counts_once() -> None:
-    wheels = [{"name": name, "version": "1"} for name in ("some_thing", "Some-Thing")]
+    pairs = (("some_thing", "1"), ("Some-Thing", "1"), ("some_thing", "2"))
+    wheels = [{"name": name, "version": version} for name, version in pairs]
     ros = [{"name": "a", "version": "", "licenses": []}]
-    items = components(system={"name": "debian", "version": ""}, apt=[], python=wheels, ros=ros)
-    refs = {item["bom-ref"] for item in items.values()}
-    assert refs == {"debian", "pkg:pypi/some-thing@1", "pkg:generic/ros/a"}
+    document = sbom_of({"system": {"name": "debian", "version": ""}, "apt": [], "python": wheels, "ros": ros})
+    refs = {item["bom-ref"] for item in document["components"]}
+    assert refs == {"debian", "pypi:some-thing@1", "pypi:some-thing@2", "ros:a@"}
 
 
 @pytest.mark.parametrize("data", [b"", b"[]", b'{"apt": []}'])

@@ -45,14 +45,14 @@ def test_an_image_has_the_components_of_its_parts() -> None:
     assert parts == {"debian": ["ros"], "bash": ["ros"], "libc6": ["ros"], "torch": ["torch"], "numpy": ["torch"]}
     assert document["metadata"]["component"]["name"] == "x/ros@sha256:2"
     needs = {entry["ref"]: entry["dependsOn"] for entry in document["dependencies"]}
-    assert needs["pkg:pypi/torch@2"] == ["pkg:pypi/numpy@1"]
+    assert needs["pypi:torch@2"] == ["pypi:numpy@1"]
     assert len(needs["x/ros@sha256:2"]) == 5 and not {"x/ros@sha256:0", "x/part@sha256:1"} & needs.keys()
 
 
 def test_what_is_no_component_of_the_image_is_nobodys_need() -> None:
     """As after a rebase, which leaves out what the old base image had."""
-    own = Sbom(of_ros().content, lambda component: component["name"] != "libc6")
-    document = json.loads(cyclonedx.joined("x/app@sha256:3", TIME, [("", own), ("torch", of_torch())]))
+    part = Sbom(of_ros().content, lambda component: component["name"] != "libc6")
+    document = json.loads(cyclonedx.joined("x/app@sha256:3", TIME, [("", part), ("torch", of_torch())]))
     assert "libc6" not in {item["name"] for item in document["components"]}
     refs = {item["bom-ref"] for item in document["components"]}
     assert all({*entry["dependsOn"]} <= refs for entry in document["dependencies"])
