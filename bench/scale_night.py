@@ -344,7 +344,7 @@ class Night:
     def _joined(self, image: Image, architecture: str, place: Disk) -> Process:
         """A join, and a test, for which the builder fetches what it has pruned, or never had."""
         yield from self._do("join", fact("join seconds"))
-        self._store("image", image.target, architecture, STEPS["join"].sent)
+        self._store("image", image.target, architecture, STEPS["join"].sent + fact("SBOM bytes"))
         parts = {name: self.image_set.part_by_name[name].disk for name in image.parts}
         sizes = {**self._ros[image.target], **parts}
         unpacked = {name: size.unpacked + size.compressed for name, size in parts.items()}

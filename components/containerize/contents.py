@@ -24,6 +24,15 @@ ROS = re.compile(r"docker-ros/ws/install/(.+/)?share/[^/]+/package\.xml")
 
 APT = re.compile(r"var/lib/dpkg/status\.d/[^/]+")
 
+COPYRIGHT = "usr/share/doc/{}/copyright"
+"""What a package of Debian says of its licences: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/"""
+
+LARGEST = 1 << 20
+"""More bytes than what packages say of themselves has."""
+
+LINKS = 4
+"""How many links lead to a copyright file at most."""
+
 EMPTY_SLOT = re.compile(r".*/rosml/constraints\.d/[^/]+")
 """An empty one is nobody's: a part may fill it."""
 
@@ -89,7 +98,7 @@ def packages(paths: dict[str, str], entries: Iterable[str], others: Container[st
     python = [Path(place) for path, place in paths.items() if PYTHON.fullmatch(path) and path not in others]
     return {
         "system": _system(paths),
-        "apt": _sorted(map(_debian, [*entries, *brought(paths)])),
+        "apt": _sorted(_debian(text, paths) for text in [*entries, *brought(paths)]),
         "python": _sorted(map(_python, python)),
         "ros": _sorted(_ros(Path(place)) for path, place in paths.items() if ROS.fullmatch(path)),
     }
@@ -122,8 +131,13 @@ def _system(paths: dict[str, str]) -> dict[str, str]:
     return {"name": fields.get("ID", ""), "version": fields.get("VERSION_ID", "")}
 
 
-def _debian(text: str) -> dict[str, str]:
-    fields = dict(re.findall(r"^(Package|Architecture|Version|Source): (.*)$", text, re.MULTILINE))
+_OF_DEBIAN = re.compile(
+    r"^(Package|Architecture|Version|Source|Maintainer|Depends|Pre-Depends|Provides): (.*)$", re.MULTILINE
+)
+
+
+def _debian(text: str, paths: Mapping[str, str]) -> dict[str, Any]:
+    fields = dict(_OF_DEBIAN.findall(text))
     if not fields.keys() >= {"Package", "Architecture", "Version"}:
         return {}
     source, _, version = fields.get("Source", "").partition(" ")
@@ -133,15 +147,61 @@ def _debian(text: str) -> dict[str, str]:
         "architecture": fields["Architecture"],
         "source": source or fields["Package"],
         "source_version": version.strip("()") or fields["Version"],
+        "maintainer": fields.get("Maintainer", ""),
+        "depends": ", ".join(filter(None, (fields.get("Pre-Depends"), fields.get("Depends")))),
+        "provides": fields.get("Provides", ""),
+        "licenses": licenses(copyright_text(fields["Package"], paths)),
     }
 
 
-def _python(place: Path) -> dict[str, str]:
+def copyright_text(package: str, paths: Mapping[str, str]) -> str:
+    """The copyright file of a package; empty if the image has none. Links count by the image's paths, and lead to no file outside."""
+    path = COPYRIGHT.format(package)
+    for _ in range(LINKS):
+        folder = os.path.dirname(path)
+        at = next((place for place in (path, folder) if os.path.islink(paths.get(place, ""))), "")
+        if not at:
+            return _text(paths.get(path, ""))
+        target = os.path.join("/", os.path.dirname(at), os.readlink(paths[at]), os.path.relpath(path, at))
+        path = os.path.normpath(target).lstrip("/")
+    return ""
+
+
+def _text(place: str) -> str:
+    """The text of a file; empty if there is none, or it has more than we read."""
+    if not os.path.isfile(place) or os.path.islink(place) or os.path.getsize(place) > LARGEST:
+        return ""
+    return Path(place).read_text("utf-8", "replace")
+
+
+def licenses(text: str) -> list[str]:
+    """The names of licences in a copyright file that machines can read, each once, by name."""
+    head = text[:500]
+    if not re.search(r"^Format:.*copyright-format", head, re.MULTILINE):
+        return []
+    return sorted({name.strip() for name in re.findall(r"^License:[ \t]*(\S.*)$", text, re.MULTILINE)})
+
+
+def _python(place: Path) -> dict[str, Any]:
     if not place.is_file():  # a link that leads nowhere, or a folder
         return {}
     fields = HeaderParser().parsestr(place.read_text("utf-8-sig", "replace"))
-    name, version = (str(fields.get(field, "")).strip() for field in ("Name", "Version"))
-    return {"name": name, "version": version} if name and version else {}
+    first = {name: str(fields.get(name, "")).strip() for name in ("Name", "Version", *AUTHORS, *LICENSES)}
+    if not first["Name"] or not first["Version"]:
+        return {}
+    classifiers = [str(text) for text in fields.get_all("Classifier", []) if str(text).startswith("License ::")]
+    return {
+        "name": first["Name"],
+        "version": first["Version"],
+        "author": next((first[name] for name in AUTHORS if first[name]), ""),
+        "licenses": [text for text in (*(first[name] for name in LICENSES), *classifiers) if text],
+        "requires": [str(text) for text in fields.get_all("Requires-Dist", [])],
+    }
+
+
+AUTHORS = ("Author", "Author-email", "Maintainer", "Maintainer-email")
+LICENSES = ("License-Expression", "License")
+"""Fields of a wheel, the most telling first: https://packaging.python.org/specifications/core-metadata/"""
 
 
 def _ros(place: Path) -> dict[str, Any]:
@@ -151,9 +211,20 @@ def _ros(place: Path) -> dict[str, Any]:
         return {}
     fields = [(item.tag.rpartition("}")[2], (item.text or "").strip()) for item in root if isinstance(item.tag, str)]
     first = dict(fields[::-1])
-    licenses = [text for tag, text in fields if tag == "license" and text]
     name = first.get("name", "")
-    return {"name": name, "version": first.get("version", ""), "licenses": licenses} if name else {}
+    if not name:
+        return {}
+    return {
+        "name": name,
+        "version": first.get("version", ""),
+        "maintainer": first.get("maintainer", ""),
+        "licenses": [text for tag, text in fields if tag == "license" and text],
+        "depends": sorted({text for tag, text in fields if text and tag in NEEDS}),
+    }
+
+
+NEEDS = ("depend", "run_depend", "exec_depend", "build_export_depend")
+"""What names a package that another one needs when it runs: https://ros.org/reps/rep-0149.html"""
 
 
 def _sorted(items: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:

@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 from rosml import ROOT
-from rosml.images.scan import judge, packages, policy, sbom
+from rosml.images.scan import cyclonedx, judge, packages, policy, sbom
 from rosml.images.scan.judge import Outcome, Part
 from rosml.images.scan.trivy import ScannerFailed, Trivy
 from rosml.machine.services import Services
@@ -92,7 +92,7 @@ class Place:
         digest = put(client, "images/small", "latest", content)
         part = Part("small", self.secure.host, "images/small", digest, True)
         listed = packages.read((folder / "out/packages.json").read_bytes())
-        document = packages.cyclonedx(listed, part.reference)
+        document = cyclonedx.document(listed, part.reference)
         subject = oci.descriptor(oci.IMAGE, oci.encoded(content))
         artifact = client.attach(part.repository, subject, sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT)
         return part, sbom.Shelf(client, {digest: artifact})

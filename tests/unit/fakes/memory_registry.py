@@ -27,7 +27,7 @@ from rosml.images.publish.state import Request, State
 from rosml.images.publish.steps import STEPS
 from rosml.images.publish.survey import survey
 from rosml.images.records import store, tag_moves
-from rosml.images.scan import packages, sbom
+from rosml.images.scan import cyclonedx, packages, sbom
 from rosml.machine.services import Services
 from rosml.registry import oci, retries
 from rosml.registry.client import BLOB_BYTES, Registry
@@ -185,7 +185,7 @@ def sbom_of(reference: str, names: Iterable[str], system: str = "") -> bytes:
     apt = [packages.Apt(name=name, source=name, **facts) for name in names if system]
     wheels = [packages.Python(name=name, version="1.0") for name in names if not system]
     of = packages.System(name="debian" if system else "", version=system)
-    return packages.cyclonedx(packages.Packages(system=of, apt=apt, python=wheels, ros=[]), reference)
+    return cyclonedx.document(packages.Packages(system=of, apt=apt, python=wheels, ros=[]), reference)
 
 
 @dataclass

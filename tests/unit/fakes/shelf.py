@@ -18,7 +18,7 @@ from rosml.images.matrix.tags import dated
 from rosml.images.records import tag_moves
 from rosml.images.records.store import ANNOTATION, DATE, Entry, Records
 from rosml.images.records.store import INDEX as INDEX_ENTRY
-from rosml.images.scan import packages, sbom
+from rosml.images.scan import cyclonedx, packages, sbom
 from rosml.images.scan.judge import Finding, Outcome, Scanned
 from rosml.registry import oci
 from rosml.registry.place import Place
@@ -121,7 +121,7 @@ class Shelf:
             python=[packages.Python(name=name, version=version) for name, version in wheels.items()],
             ros=[],
         )
-        document = packages.cyclonedx(content, f"{self.registry.host}/{repository}@{digest}")
+        document = cyclonedx.document(content, f"{self.registry.host}/{repository}@{digest}")
         manifest = self.registry.manifest(repository, digest)
         assert manifest
         artifact = self.registry.attach(

@@ -6,13 +6,14 @@ With an image's name, you can read its packages without pulling it, and `rosml j
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
 from urllib.parse import quote
 
+from cyclonedx.model import ExternalReference, ExternalReferenceType, XsUri
+
 from rosml.containerize.sources.fetch import Repository
-from rosml.images.builds.contents import FACTS, FILES, LISTS, PACKAGES, manifests
+from rosml.images.builds.contents import FACTS, FILES, LISTS, PACKAGES, created, manifests
 from rosml.images.join.layers import platform
-from rosml.images.scan import packages
+from rosml.images.scan import cyclonedx, packages
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
 from rosml.registry.client import Registry
 
@@ -22,23 +23,23 @@ COMMIT = "io.rosml.commit"
 """The property of a ROS package with the commit of its repository."""
 
 
-def sbom(data: bytes, reference: str, sources: Mapping[str, Repository]) -> bytes:
-    """An SBOM in CycloneDX 1.5. The same packages give the same bytes.
+def sbom(data: bytes, reference: str, created: float, sources: Mapping[str, Repository]) -> bytes:
+    """An SBOM in CycloneDX. The same packages and time give the same bytes.
 
     Args:
         data: the packages of the image, from `PACKAGES`.
+        created: when the image was made, in seconds since 1970.
         sources: upstream repositories of ROS packages, by the package's name.
     """
-    return packages.cyclonedx(packages.read(data), reference, lambda name: _origin(sources.get(name)))
+    return cyclonedx.document(packages.read(data), reference, created, lambda name: _origin(sources.get(name)))
 
 
-def _origin(source: Repository | None) -> dict[str, Any]:
+def _origin(source: Repository | None) -> cyclonedx.Origin:
     if not source:
-        return {}
-    properties = [{"name": COMMIT, "value": source.commit}]
-    url = _public(source.url)
-    references = [{"type": "vcs", "url": url, "comment": source.version}] if url else []
-    return {"properties": properties} | ({"externalReferences": references} if references else {})
+        return cyclonedx.Origin()
+    url, kind = _public(source.url), ExternalReferenceType.VCS
+    references = [ExternalReference(type=kind, url=XsUri(url), comment=source.version)] if url else []
+    return cyclonedx.Origin({COMMIT: source.commit}, tuple(references))
 
 
 def _public(url: str) -> str:
@@ -72,12 +73,14 @@ def attach(
         has_sbom = _has_sbom(registry, repository, manifest.digest)
         if has_sbom and not missing:
             continue
-        name = platform(registry.config(repository, manifest).facts)
+        config = registry.config(repository, manifest).facts
+        name = platform(config)
         subject = manifest.descriptor
         for kind, artifact, media_type in missing:
             registry.attach(repository, subject, artifact, load(name, kind), media_type)
         if not has_sbom:
-            data = sbom(load(name, PACKAGES), f"{registry.host}/{repository}@{manifest.digest}", sources)
+            image = f"{registry.host}/{repository}@{manifest.digest}"
+            data = sbom(load(name, PACKAGES), image, created(config), sources)
             registry.attach(repository, subject, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
 
 

@@ -5,21 +5,21 @@ from __future__ import annotations
 
 import gzip
 import re
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME
+from rosml.images.builds.contents import created
 from rosml.images.image_set.labels import APP
 from rosml.images.join import facts, file_lists
 from rosml.images.join.facts import Facts
 from rosml.images.join.file_lists import Lists
 from rosml.images.join.layers import Source
 from rosml.images.join.transfer import Transfer
-from rosml.images.scan import sbom
+from rosml.images.scan import cyclonedx, sbom
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
 from rosml.registry.oci import Manifest
@@ -168,26 +168,9 @@ class Attachments:
 
     def new_sbom(self, app: Source, base: BaseContents, reference: str) -> bytes:
         """The SBOM of the new image `reference`: the base image's components, and the app's own."""
-        of_app = _of_app(self._components(_place(app)), self.app_facts(app))
-        of_base = (item for place in base.places for item in self._components(place))
-        # CycloneDX does not ask for a `bom-ref`.
-        components = {
-            str(item.get("bom-ref") or oci.digest_of(oci.encoded(item))): item for item in (*of_base, *of_app)
-        }
-        document = {
-            "$schema": "http://cyclonedx.org/schema/bom-1.5.schema.json",
-            "bomFormat": "CycloneDX",
-            "specVersion": "1.5",
-            "version": 1,
-            "metadata": {"component": {"bom-ref": reference, "type": "container", "name": reference}},
-            "components": [*components.values()],
-        }
-        return oci.encoded(document)
-
-    def _components(self, place: Reference) -> Iterator[dict[str, Any]]:
-        for content in self._sboms(place):
-            assert sbom.Sbom(content).document, "it is read, to check it"
-            yield from untrusted.json_value(content, sbom.LARGEST)["components"]
+        of_base = (sbom.Sbom(content) for place in base.places for content in self._sboms(place))
+        of_app = (sbom.Sbom(content, _is_of_app(self.app_facts(app))) for content in self._sboms(_place(app)))
+        return cyclonedx.joined(reference, created(app.config.facts), (("", item) for item in (*of_base, *of_app)))
 
 
 def _place(source: Source) -> Reference:
@@ -209,20 +192,20 @@ def _as_in_facts(paths: Iterable[str]) -> Iterator[str]:
     return (path.encode("utf-8", "backslashreplace").decode() for path in paths)
 
 
-def _of_app(components: Iterable[dict[str, Any]], app_facts: Facts) -> Iterator[dict[str, Any]]:
-    """The components of an app's SBOM that are not its base image's."""
+def _is_of_app(app_facts: Facts) -> Callable[[Mapping[str, Any]], bool]:
+    """Whether a component of an app's SBOM is not its base image's."""
     apt = {(package.name, package.version) for package in app_facts.packages}
     paths = (*app_facts.files, *(path for package in app_facts.packages for path in package.files))
     matches = (_PYTHON.fullmatch(path) for path in paths if "-info" in path)
     python = {(normalized(match[1]), match[2]) for match in matches if match}
-    for component in components:
+
+    def is_own(component: Mapping[str, Any]) -> bool:
         purl, name, version = (str(component.get(key, "")) for key in ("purl", "name", "version"))
         if purl.startswith("pkg:deb/"):
-            is_own = (name, version) in apt
-        else:
-            is_own = purl.startswith("pkg:generic/ros/") or (normalized(name), version) in python
-        if is_own:
-            yield component
+            return (name, version) in apt
+        return purl.startswith("pkg:generic/ros/") or (normalized(name), version) in python
+
+    return is_own
 
 
 def normalized(name: str) -> str:

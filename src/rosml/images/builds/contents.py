@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Sequence
+from contextlib import suppress
+from datetime import datetime
 from pathlib import Path
 
 from rosml.base import files
@@ -15,13 +17,14 @@ from rosml.images.image_set.model import ImageSet
 from rosml.images.join import facts, file_lists
 from rosml.images.join.layers import platform
 from rosml.images.matrix import names
-from rosml.images.scan import packages, sbom
+from rosml.images.scan import cyclonedx, packages, sbom
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
+from rosml.registry.documents import Config
 from rosml.registry.oci import Manifest
 
-FORMAT = "facts.v1"
+FORMAT = "sbom.v2"
 """What is attached beside the SBOM and the list of files. With another one, all images are described again, without a build."""
 
 PACKAGES = "packages.json"
@@ -53,10 +56,19 @@ def attach(
             if not registry.referrers(repository, manifest.digest, artifact):
                 registry.attach(repository, manifest.descriptor, artifact, listing[name], media_type)
         image = f"{registry.host}/{repository}@{manifest.digest}"
-        document = packages.cyclonedx(packages.read(listing[PACKAGES]), image)
+        document = cyclonedx.document(
+            packages.read(listing[PACKAGES]), image, created(registry.config(repository, manifest).facts)
+        )
         kind = sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
         sboms[manifest.digest] = registry.attach(repository, manifest.descriptor, *kind)
     return sboms
+
+
+def created(config: Config) -> float:
+    """When an image was made, in seconds since 1970; 0 if its config does not say."""
+    with suppress(ValueError):
+        return datetime.fromisoformat(config.created or "").timestamp()
+    return 0.0
 
 
 def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:

@@ -69,6 +69,9 @@ the same parts give the same digest wherever they are."""
 COVERED = f"{PREFIX}sbom."
 """The prefix of an image's annotations in its index that name the SBOMs of its ROS image and parts, by repository and digest."""
 
+SBOM = f"{PREFIX}sbom"
+"""The annotation of a joined image in its index that names the SBOM of the whole image, likewise."""
+
 
 class ImageKind(NamedTuple):
     """What an image is, in the words of the matrix; `ros` is 1 or 2."""

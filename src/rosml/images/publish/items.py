@@ -15,6 +15,7 @@ Key = tuple[str, str]
 ABSENT = "the archive has no"
 """How the reason begins if a distribution cannot be built because its packages are not published."""
 
+NO_SBOM = "it has no SBOM"
 UNDESCRIBED = "it has no facts for apps that change their base"
 """If this is the only reason, an image or a part is described again and not built."""
 

@@ -16,7 +16,19 @@ from rosml.images.builds import base_images, contents, package_state
 from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.matrix.sizes import Size
-from rosml.images.publish.items import ABSENT, ELSEWHERE, ENDED, UNDESCRIBED, WAITING, Item, Key, Step, Task, ros_images
+from rosml.images.publish.items import (
+    ABSENT,
+    ELSEWHERE,
+    ENDED,
+    NO_SBOM,
+    UNDESCRIBED,
+    WAITING,
+    Item,
+    Key,
+    Step,
+    Task,
+    ros_images,
+)
 from rosml.images.publish.shared_tests import SharedTests
 from rosml.images.records.store import INDEX, Entry, Records
 from rosml.machine.services import Services
@@ -187,9 +199,9 @@ class State:
             why.append(moved)
         if item.key not in self.present:
             why.append("it is not in the registry any more")
-        if item.kind != "joined" and not entry.sbom:  # an older version of this program made SBOMs in the scan
-            why.append("it has no SBOM")
-        elif item.kind != "joined" and entry.described != contents.FORMAT:
+        if not entry.sbom:
+            why.append(NO_SBOM)
+        elif entry.described != contents.FORMAT:
             why.append(UNDESCRIBED)
         for target in item.needs:
             part = self.entries.get((target, item.architecture))

@@ -60,8 +60,8 @@ class Entry:
     passed: int = 0  # how many tests passed
     failures: tuple[str, ...] = ()
     provenance: Mapping[str, str] = field(default_factory=dict)  # digests of the provenance statements, by builder
-    sbom: str = ""  # for a ROS image or part, digest of the artifact with its SBOM
-    described: str = ""  # for a ROS image or part, `contents.FORMAT` of what is attached to it
+    sbom: str = ""  # digest of the artifact with its SBOM; none of an index
+    described: str = ""  # `contents.FORMAT` of what is attached to it
     scanned: str = ""  # outcome of the scan
     scan: Mapping[str, Any] = field(default_factory=dict)  # what the policy and the database said
     versions: Mapping[str, str] = field(default_factory=dict)  # of packages and programs found in the image

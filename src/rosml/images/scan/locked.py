@@ -11,7 +11,7 @@ from typing import Any
 from rosml.base.problems import counted, some
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import ImageSet
-from rosml.images.scan import judge, packages
+from rosml.images.scan import cyclonedx, judge, packages
 from rosml.images.scan.judge import Outcome
 from rosml.images.scan.policy import Rules
 from rosml.images.scan.sbom import Sbom, Shelf
@@ -51,7 +51,7 @@ class Locks(Shelf):
         pinned = lock_file.versions(self.texts[digest]).items()
         wheels = [packages.Python(name=name, version=version) for name, version in pinned]
         contents = packages.Packages(system=packages.System(name="", version=""), apt=[], python=wheels, ros=[])
-        return Sbom(packages.cyclonedx(contents, digest))
+        return Sbom(cyclonedx.document(contents, digest))
 
 
 def refused(

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal
 
 from pydantic import Field, ValidationError
 
@@ -18,7 +18,7 @@ from rosml.registry.client import Registry
 MEDIA_TYPE = "application/vnd.cyclonedx+json"
 """The media type, also of the artifact, by which trivy and others find it beside an image."""
 
-FORMAT = {"io.rosml.sbom.format": "1"}
+FORMAT = {"io.rosml.sbom.format": "2"}
 """The annotation of our SBOMs. With another number all images get a new one, although their digests stay the same."""
 
 OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")
@@ -37,6 +37,11 @@ class Component(Model):
     purl: str = ""
 
 
+class Dependency(Model):
+    ref: str
+    dependsOn: list[str] = []
+
+
 class Subject(Model):
     name: str = ""
 
@@ -50,7 +55,8 @@ class Document(Model):
 
     bomFormat: Literal["CycloneDX"]
     metadata: About | None = None
-    components: list[Component]
+    components: list[Component] = []
+    dependencies: list[Dependency] = []
 
 
 LARGEST = 256 << 20
@@ -59,11 +65,21 @@ LARGEST = 256 << 20
 
 @dataclass(frozen=True)
 class Sbom:
+    """`counts` says of each component whether it is the image's; all are if it is None."""
+
     content: bytes
+    counts: Callable[[Mapping[str, Any]], bool] | None = None
 
     def is_of(self, digest: str) -> bool:
         about = self.document.metadata
         return bool(about and about.component and about.component.name.endswith(f"@{digest}"))
+
+    @cached_property
+    def components(self) -> list[dict[str, Any]]:
+        """All that it says of its components."""
+        assert self.document, "it is read, to check it"
+        components: list[dict[str, Any]] = untrusted.json_value(self.content, LARGEST).get("components", [])
+        return [*filter(self.counts, components)]
 
     @cached_property
     def document(self) -> Document:

@@ -11,6 +11,8 @@ from typing import Any
 
 import pytest
 from conftest import ROOT
+from cyclonedx.schema import SchemaVersion
+from cyclonedx.validation.json import JsonStrictValidator
 
 from fakes.http_registry import LocalRegistry
 from fakes.stubs import script_of_a_build
@@ -19,6 +21,7 @@ from rosml.base.errors import RosmlError
 from rosml.containerize.build import attachments
 from rosml.containerize.sources.fetch import Repository
 from rosml.images.join import facts, file_lists
+from rosml.images.scan import spdx
 from rosml.images.scan.sbom import MEDIA_TYPE, Sbom
 from rosml.registry import oci
 from rosml.registry.client import Registry
@@ -26,22 +29,68 @@ from rosml.registry.client import Registry
 ROBOT = "me/robot"
 CONTENTS = ROOT / "components/containerize/contents.py"
 SITE = "usr/local/lib/python3.11/dist-packages"
-LIBC = "Package: libc6\nSource: glibc (2.36-9)\nArchitecture: amd64\nVersion: 2.36-9+b1\n"
-TREE = "Package: tree\nArchitecture: all\nVersion: 1:2.1\n"
-WHEELS = [{"name": "Some_Thing", "version": "1.0+cpu"}]
+LIBC = "Package: libc6\nSource: glibc (2.36-9)\nArchitecture: amd64\nVersion: 2.36-9+b1\nProvides: libc, libc-virtual (= 2)\n"
+TREE = (
+    "Package: tree\nArchitecture: all\nVersion: 1:2.1\nMaintainer: Ada <ada@example.org>\n"
+    "Pre-Depends: libc-virtual\nDepends: gone | libc6 (>= 2.3), tree:any\n"
+)
+COPYRIGHT = """Format: https://www.debian.org/doc/packaging-manuals/copyright-format/1.0/
+Files: *
+License: GPL-2+
+
+Files: x
+License: Expat
+ You may
+"""
+METADATA = """Name: Some_Thing
+Version: 1.0+cpu
+Author-email: Ada <ada@example.org>
+License: MIT
+Classifier: License :: OSI Approved :: MIT License
+Classifier: Topic :: Software Development
+Requires-Dist: small (>=1)
+Requires-Dist: other; extra == "x"
+"""
+WHEELS: list[dict[str, Any]] = [
+    {
+        "name": "Some_Thing",
+        "version": "1.0+cpu",
+        "author": "Ada <ada@example.org>",
+        "licenses": ["MIT", "License :: OSI Approved :: MIT License"],
+        "requires": ["small (>=1)", 'other; extra == "x"'],
+    }
+]
+TIME = 1_700_000_000.0
 PACKAGES: dict[str, Any] = {
     "system": {"name": "debian", "version": "12"},
     "apt": [
-        {"name": name, "version": version, "architecture": architecture, "source": source, "source_version": of}
-        for name, version, architecture, source, of in (
-            ("libc6", "2.36-9+b1", "amd64", "glibc", "2.36-9"),
-            ("tree", "1:2.1", "all", "tree", "1:2.1"),
-        )
+        {
+            "name": "libc6",
+            "version": "2.36-9+b1",
+            "architecture": "amd64",
+            "source": "glibc",
+            "source_version": "2.36-9",
+            "maintainer": "",
+            "depends": "",
+            "provides": "libc, libc-virtual (= 2)",
+            "licenses": [],
+        },
+        {
+            "name": "tree",
+            "version": "1:2.1",
+            "architecture": "all",
+            "source": "tree",
+            "source_version": "1:2.1",
+            "maintainer": "Ada <ada@example.org>",
+            "depends": "libc-virtual, gone | libc6 (>= 2.3), tree:any",
+            "provides": "",
+            "licenses": ["Expat", "GPL-2+"],
+        },
     ],
     "python": WHEELS,
     "ros": [
-        {"name": "filters", "version": "1.9.1", "licenses": ["BSD", "MIT"]},
-        {"name": "robot", "version": "0.1.0", "licenses": []},
+        {"name": "filters", "version": "1.9.1", "maintainer": "", "licenses": ["BSD", "MIT"], "depends": []},
+        {"name": "robot", "version": "0.1.0", "maintainer": "Ada", "licenses": [], "depends": ["filters", "roscpp"]},
     ],
 }
 
@@ -69,6 +118,7 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
             "usr/lib/python3/dist-packages/.keep": "",
             "var/lib/dpkg/status.d/tree": TREE.replace("2.1", "1.9"),
             "usr/local/share/rosml/constraints.d/01.txt": "",
+            "usr/share/doc/libtree/copyright": COPYRIGHT,
             f"{share}/robot/package.xml": "<package><name>robot</name><version>0.0.9</version></package>",
             f"{share}/damaged/package.xml": "<package>",
         },
@@ -76,19 +126,23 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
     upper = write(
         tmp_path / "upper",
         {
-            f"{SITE}/some_thing-1.0.dist-info/METADATA": "Name: Some_Thing\nVersion: 1.0+cpu\n\nVersion: of a text\n",
+            f"{SITE}/some_thing-1.0.dist-info/METADATA": f"{METADATA}\nVersion: of a text\n",
             f"{SITE}/nameless.dist-info/METADATA": "Name: \nVersion: 3\n",
             f"{SITE}/small.dist-info/METADATA": "\ufeffname: small\r\nversion: 3\r\n\r\nName: x\r\n",
             f"{share}/odd/package.xml": "<?xml version='1.0' encoding='x-odd'?><package/>",
             "var/lib/dpkg/status.d/tree": f"{TREE}\n{LIBC}",
             "var/lib/dpkg/status.d/tree.md5sums": "0123  usr/bin/tree\n",
             f"{share}/robot/package.xml": "<package xmlns='https://ros.org'><name> robot </name><version>0.1.0</version>"
-            "<export><name>other</name></export></package>",
+            "<maintainer email='ada@example.org'>Ada</maintainer><depend>roscpp</depend><exec_depend>filters</exec_depend>"
+            "<build_depend>gcc</build_depend><export><name>other</name></export></package>",
             "docker-ros/ws/install/filters/share/filters/package.xml": "<package format='2'><name>filters</name>"
             "<version>1.9.1</version><license>BSD</license><license file='x'> MIT </license></package>",
             "docker-ros/ws/install/lib/python3/site-packages/robot-0.1.0.egg-info/PKG-INFO": "Name: robot\nVersion: 0.1.0\n",
         },
     )
+    (upper / "usr/share/doc").mkdir(parents=True)
+    (upper / "usr/share/doc/tree").symlink_to("libtree")
+    (upper / "usr/share/doc/libc6").symlink_to("/etc")
     (upper / "etc").mkdir()
     (upper / "etc/os-release").symlink_to("../usr/lib/os-release")
     (upper / "etc/nowhere.egg-info").symlink_to("/nothing")
@@ -99,7 +153,7 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
         {"var/lib/dpkg/info/rclpy.list": "/.\n/opt/ros/jazzy/lib/python3.12/site-packages/rclpy-7.egg-info/PKG-INFO\n"},
     )
     script.write(script.files([lower, upper]), [LIBC, "Package: half\n"], script.owned(dpkg), out)
-    small = {"name": "small", "version": "3"}
+    small = {"name": "small", "version": "3", "author": "", "licenses": [], "requires": []}
     assert json.loads((out / "packages.json").read_text()) == PACKAGES | {"python": [*WHEELS, small]}
     listed = gzip.decompress((out / "files.gz").read_bytes()).decode().splitlines()
     assert listed == sorted(
@@ -139,11 +193,15 @@ def test_names_that_are_no_unicode_are_json_for_all_readers(script: ModuleType) 
 
 def components(url: str = "https://example.org/filters", **packages: object) -> dict[str, dict[str, Any]]:
     """The components of the SBOM of an image with other packages, by name."""
+    return {item["name"]: item for item in sbom_of(packages, url)["components"]}
+
+
+def sbom_of(packages: dict[str, object], url: str = "https://example.org/filters") -> dict[str, Any]:
     sources = {"filters": Repository("filters", url, "noetic", "c0ffee", ".repos", True)}
     data = json.dumps(PACKAGES | packages).encode()
-    document = json.loads(attachments.sbom(data, "example.org/robot@x", sources))
+    document: dict[str, Any] = json.loads(attachments.sbom(data, "example.org/robot@x", TIME, sources))
     assert document["metadata"]["component"]["name"] == "example.org/robot@x"
-    return {item["name"]: item for item in document["components"]}
+    return document
 
 
 def test_an_sbom() -> None:
@@ -159,12 +217,58 @@ def test_an_sbom() -> None:
         "aquasecurity:trivy:PkgType": "debian",
         "aquasecurity:trivy:SrcName": "glibc",
         "aquasecurity:trivy:SrcVersion": "2.36-9",
+        "bsi:component:filename": "libc6_2.36-9+b1_amd64.deb",
     }
     filters = items["filters"]
-    assert filters["licenses"] == [{"license": {"name": "BSD"}}, {"license": {"name": "MIT"}}]
+    assert filters["licenses"] == [{"license": {"id": "MIT"}}, {"license": {"name": "BSD"}}]
     assert filters["externalReferences"] == [{"type": "vcs", "url": "https://example.org/filters", "comment": "noetic"}]
     assert filters["properties"] == [{"name": "io.rosml.commit", "value": "c0ffee"}]
     assert "externalReferences" not in items["robot"]
+
+
+def test_what_an_sbom_says_of_each_component(script: ModuleType) -> None:
+    items, document = components(), sbom_of({})
+    metadata, tree, libc, wheel = document["metadata"], items["tree"], items["libc6"], items["Some_Thing"]
+    assert JsonStrictValidator(SchemaVersion.V1_6).validate_str(json.dumps(document)) is None
+    assert metadata["timestamp"] == "2023-11-14T22:13:20+00:00" and metadata["authors"] and metadata["tools"]
+    assert tree["supplier"] == {"name": "Ada", "contact": [{"email": "ada@example.org"}]}
+    assert tree["licenses"] == [{"expression": "GPL-2.0-or-later AND MIT"}]
+    assert libc["licenses"] == [
+        {"license": {"name": "as its copyright file says", "url": "file:///usr/share/doc/libc6/copyright"}}
+    ]
+    assert (wheel["supplier"]["name"], wheel["licenses"]) == ("Ada", [{"license": {"id": "MIT"}}])
+    needs = {entry["ref"]: entry.get("dependsOn", []) for entry in document["dependencies"]}
+    assert needs[tree["bom-ref"]] == [libc["bom-ref"]], "by its name, and by one that it provides"
+    assert needs[items["robot"]["bom-ref"]] == [items["filters"]["bom-ref"]]
+    assert {*needs["example.org/robot@x"]} == {item["bom-ref"] for item in document["components"]}
+
+
+@pytest.mark.parametrize(
+    ("words", "expression"),
+    [
+        ("GPL-2+", "GPL-2.0-or-later"),
+        ("LGPL-3+ or GPL-2", "LGPL-3.0-or-later OR GPL-2.0-only"),
+        ("GPLv3", "GPL-3.0-only"),
+        ("GFDL-NIV-1.3+", "GFDL-1.3-no-invariants-or-later"),
+        ("GPL-3+ with Bison exception", "GPL-3.0-or-later WITH Bison-exception-2.2"),
+        ("GPL-2 with Linux-syscall-note exception", "GPL-2.0-only WITH Linux-syscall-note"),
+        ("bsd-3-clause", "BSD-3-Clause"),
+        ("BSD", ""),
+        ("public-domain", ""),
+        ("GPL-2+ or", ""),
+        ("(MIT", ""),
+    ],
+)
+def test_licences_by_their_names_in_spdx(words: str, expression: str) -> None:
+    (license,) = spdx.of_debian([words])
+    assert license == spdx.License(expression or words, bool(expression))
+
+
+def test_a_licence_is_a_short_name(script: ModuleType) -> None:
+    """And no text: of a stranger, and perhaps markup."""
+    (license,) = spdx.of_wheel(["<script>alert(1)</script>" + "x" * 10_000 + "\nCopyright"])
+    assert len(license.text) <= spdx.LONGEST and not {"<", ">"} & {*license.text}
+    assert spdx.of_wheel(["Copyright Ada", "License :: OSI Approved :: MIT License"]) == [spdx.License("MIT", True)]
 
 
 @pytest.mark.parametrize(
@@ -184,16 +288,18 @@ def test_the_place_of_a_ros_package(url: str, written: str | None) -> None:
 
 
 def test_what_nobody_knows_is_left_out_and_the_same_name_counts_once() -> None:
-    wheels = [{"name": name, "version": "1"} for name in ("some_thing", "Some-Thing")]
+    pairs = (("some_thing", "1"), ("Some-Thing", "1"), ("some_thing", "2"))
+    wheels = [{"name": name, "version": version} for name, version in pairs]
     ros = [{"name": "a", "version": "", "licenses": []}]
-    items = components(system={"name": "debian", "version": ""}, apt=[], python=wheels, ros=ros)
-    assert [item["bom-ref"] for item in items.values()] == ["debian", "pkg:pypi/some-thing@1", "pkg:generic/ros/a"]
+    document = sbom_of({"system": {"name": "debian", "version": ""}, "apt": [], "python": wheels, "ros": ros})
+    refs = {item["bom-ref"] for item in document["components"]}
+    assert refs == {"debian", "pypi:some-thing@1", "pypi:some-thing@2", "ros:a@"}
 
 
 @pytest.mark.parametrize("data", [b"", b"[]", b'{"apt": []}'])
 def test_a_damaged_list_of_packages(data: bytes) -> None:
     with pytest.raises(RosmlError, match="is damaged"):
-        attachments.sbom(data, "example.org/robot@x", {})
+        attachments.sbom(data, "example.org/robot@x", TIME, {})
 
 
 # ---- In a registry ---------------------------------------------------------------------------------------------------

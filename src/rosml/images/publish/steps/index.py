@@ -10,7 +10,7 @@ from functools import partial
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.base.side_by_side import side_by_side
-from rosml.images.image_set.labels import COVERED, OCI, REVISION, SOURCE, TITLE, title
+from rosml.images.image_set.labels import COVERED, OCI, REVISION, SBOM, SOURCE, TITLE, title
 from rosml.images.image_set.model import Image, Part, repository_of
 from rosml.images.publish import provenance, same_content
 from rosml.images.publish.run import Run, failure
@@ -119,6 +119,8 @@ def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
         part = run.state.entries.get((target, entry.architecture))
         if part and part.sbom and part.digest == entry.parts.get(target, entry.digest):
             annotations[COVERED + target] = f"{part.repository}@{part.sbom}"
+    if item.kind == "joined" and entry.sbom:
+        annotations[SBOM] = f"{entry.repository}@{entry.sbom}"
     return {"annotations": annotations} if annotations else {}
 
 
