@@ -250,6 +250,7 @@ def test_every_command_looks_for_its_packages() -> None:
 def test_what_is_looked_for_is_what_the_project_asks_for() -> None:
     """A package's name on the index, and in Python."""
     modules = {"pyyaml": "yaml", "backports.zstd": environment.ZSTD, "packageurl-python": "packageurl"}
+    modules["cyclonedx-python-lib"] = "cyclonedx"
     dependencies = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["dependencies"]
     names = [item.lower().partition("==")[0] for item in dependencies]
     assert [modules.get(name, name) for name in names] == [*environment.RUN, *environment.IMAGES]

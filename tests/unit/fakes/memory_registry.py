@@ -181,8 +181,11 @@ class MemoryRegistry(Registry):
 
 def sbom_of(reference: str, names: Iterable[str], system: str = "") -> bytes:
     """The SBOM of an image of Debian, or of a part without a system."""
-    facts = {"version": "1.0", "architecture": "amd64", "source_version": "1.0"}
-    apt = [packages.Apt(name=name, source=name, **facts) for name in names if system]
+    apt = [
+        packages.Apt(name=name, version="1.0", architecture="amd64", source=name, source_version="1.0")
+        for name in names
+        if system
+    ]
     wheels = [packages.Python(name=name, version="1.0") for name in names if not system]
     of = packages.System(name="debian" if system else "", version=system)
     return cyclonedx.document(packages.Packages(system=of, apt=apt, python=wheels, ros=[]), reference)

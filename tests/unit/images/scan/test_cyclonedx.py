@@ -17,8 +17,10 @@ TIME = 1_700_000_000.0
 
 def of_ros() -> Sbom:
     packages = [("bash", "libc6"), ("libc6", "")]
-    facts = {"version": "1", "architecture": "amd64", "source_version": "1"}
-    apt = [Apt(name=name, source=name, depends=depends, **facts) for name, depends in packages]
+    apt = [
+        Apt(name=name, version="1", architecture="amd64", source=name, source_version="1", depends=depends)
+        for name, depends in packages
+    ]
     contents = Packages(system=System(name="debian", version="12"), apt=apt, python=[], ros=[])
     return Sbom(cyclonedx.document(contents, "x/ros@sha256:0", TIME))
 
