@@ -14,6 +14,7 @@ from cyclonedx.model import ExternalReference, Property, XsUri
 from cyclonedx.model.bom import Bom, BomMetaData
 from cyclonedx.model.component import Component, ComponentType
 from cyclonedx.model.contact import OrganizationalContact, OrganizationalEntity
+from cyclonedx.model.dependency import Dependency
 from cyclonedx.model.license import DisjunctiveLicense, License, LicenseExpression
 from cyclonedx.model.tool import ToolRepository
 from cyclonedx.output.json import JsonV1Dot6
@@ -66,11 +67,19 @@ def document(
         authors=[OrganizationalContact(name="rosml")],
     )
     components = _Components(contents, of_ros)
-    bom = Bom(components=components.all(), metadata=about, serial_number=uuid.uuid5(uuid.NAMESPACE_URL, reference))
-    bom.register_dependency(image, bom.components)
-    for component, needs in components.needs():
-        bom.register_dependency(component, needs)
+    every = [*components.all()]
+    bom = Bom(
+        components=every,
+        metadata=about,
+        serial_number=uuid.uuid5(uuid.NAMESPACE_URL, reference),
+        dependencies=[_needs(image, every), *(_needs(component, needs) for component, needs in components.needs())],
+    )
     return JsonV1Dot6(bom).output_as_string().encode()
+
+
+def _needs(component: Component, needs: Iterable[Component]) -> Dependency:
+    """What a component needs. Bom's own method looks through all dependencies for each of them."""
+    return Dependency(component.bom_ref, [Dependency(need.bom_ref) for need in needs])
 
 
 def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]]) -> bytes:

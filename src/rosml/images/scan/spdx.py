@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 
 from cyclonedx.spdx import fixup_id, is_expression
 
@@ -92,6 +93,7 @@ def of_wheel(texts: Iterable[str]) -> list[License]:
     return by_spdx[:1] or _unique(licenses)[:1]
 
 
+@cache
 def _read(text: str) -> License:
     """An expression of SPDX, as far as the words of Debian and of people are ones."""
     name = _name(text)
