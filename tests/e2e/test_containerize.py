@@ -128,7 +128,7 @@ def test_the_example(compass: Compass, base: str, published: Publish, services: 
         (tmp_path / f"chk/{target}-apt").write_text("\n".join([*lines, ""]))
         (tmp_path / f"chk/{target}-files").write_bytes(files)
         [ros] = [item for item in document["components"] if item.get("purl", "").startswith("pkg:generic/ros/")]
-        assert (ros["name"], ros["licenses"]) == ("compass", [{"license": {"name": "Apache-2.0"}}])
+        assert (ros["name"], ros["licenses"]) == ("compass", [{"license": {"id": "Apache-2.0"}}])
     build_file(
         services,
         tmp_path / "chk",
