@@ -257,8 +257,8 @@ class Place:
         assert config
         return dict(self.registry.json_blob(repository, config.digest)["config"]["Labels"])
 
-    def sbom(self, repository: str, reference: str, packages: Sequence[str]) -> None:
-        """Attaches an SBOM to an image for one platform, or to the first of an index."""
+    def sbom(self, repository: str, reference: str, packages: Sequence[str], version: str = "") -> None:
+        """Attaches an SBOM to an image for one platform, or to the first of an index; perhaps one of an older version of our format."""
         subject = self.image(repository, references.parse(reference).reference)
         components = [
             {"bom-ref": item, "type": "library", "name": name, "version": version, "purl": f"pkg:deb/debian/{item}"}
@@ -267,7 +267,8 @@ class Place:
         ]
         about = {"component": {"name": f"x@{subject.digest}"}}
         data = oci.encoded({"bomFormat": "CycloneDX", "metadata": about, "components": components})
-        self.registry.attach(repository, subject.descriptor, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
+        form = dict.fromkeys(sbom.FORMAT, version) if version else sbom.FORMAT
+        self.registry.attach(repository, subject.descriptor, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, form)
 
     def digest(self, reference: str) -> str:
         where = references.parse(reference)

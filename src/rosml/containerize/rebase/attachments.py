@@ -156,9 +156,11 @@ class Attachments:
     # ---- SBOMs -------------------------------------------------------------------------------------------------------
 
     def _sboms(self, place: Reference) -> Iterator[bytes]:
-        for artifact in self._artifacts(place, sbom.MEDIA_TYPE):
-            if artifact.annotations.items() >= sbom.FORMAT.items():
-                yield self._registry(place).part(place.repository, artifact.layers[0])
+        """Those of our format; of an older one if there is no other."""
+        ours = [it for it in self._artifacts(place, sbom.MEDIA_TYPE) if it.annotations.keys() >= sbom.FORMAT.keys()]
+        newest = [it for it in ours if it.annotations.items() >= sbom.FORMAT.items()]
+        for artifact in newest or ours:
+            yield self._registry(place).part(place.repository, artifact.layers[0])
 
     def sbom(self, app: Source) -> bytes:
         for document in self._sboms(_place(app)):

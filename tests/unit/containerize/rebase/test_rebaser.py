@@ -134,6 +134,22 @@ def test_what_is_attached_is_of_the_new_image(place: Place) -> None:
     assert place.rebase(rebased.reference, place.base("last")).moved, "it can move again"
 
 
+def test_an_sbom_of_an_older_format_counts_if_there_is_no_other(place: Place) -> None:
+    """It names the components in another way."""
+    new = place.base("newer", files=FILES)
+    app = place.app(place.base())
+    place.sbom("me/robot", app, ["python3-angles@1.16"], version="1")
+    place.sbom("rosml/ros", new, ["fresh@1"], version="1")
+    place.sbom("rosml/ros", new, ["fresh@2"])
+    [digest] = place.rebase(app, new).manifests.values()
+    [entry] = place.registry.referrers("me/robot", digest, sbom.MEDIA_TYPE)
+    document = place.registry.json_blob("me/robot", place.manifest("me/robot", entry["digest"]).layers[0].digest)
+    assert [(item["name"], item["version"]) for item in document["components"]] == [
+        ("fresh", "2"),
+        ("python3-angles", "1.16"),
+    ]
+
+
 def test_an_app_on_an_app(place: Place) -> None:
     base, new = place.base(), place.base("newer")
     lower = App(base, name="lower").put(place.registry, "a", index=True)
