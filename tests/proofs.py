@@ -28,7 +28,7 @@ PROOFS = {
     # Windows of desktop images: rviz by X11, and Qt by Wayland.
     "desktop": Proof(25),
     # A user without root who has Docker, and nothing else: the first image, and what people do with it.
-    "docker": Proof(15, needs=("engine",)),
+    "docker": Proof(8, needs=("engine",)),
     # rosml run and rosml attach with podman, with root too.
     "engines": Proof(4),
     # What users install next by pip and uv leaves PyTorch, TensorFlow, CUDA and ROS as they are.
