@@ -82,7 +82,7 @@ class License:
 
 def of_debian(names: Iterable[str]) -> list[License]:
     """The licences that a copyright file names, each once. All of them count: they are of different files."""
-    return _unique(map(_read, names))
+    return _unique(_read(name) for name in names if _name(name))
 
 
 def of_wheel(texts: Iterable[str]) -> list[License]:

@@ -296,6 +296,11 @@ def test_what_nobody_knows_is_left_out_and_the_same_name_counts_once() -> None:
     assert refs == {"debian", "pypi:some-thing@1", "pypi:some-thing@2", "ros:a@"}
 
 
+def test_a_licence_of_markup_alone_is_none() -> None:
+    ros = [{"name": "a", "version": "1", "licenses": ["<>", " ***"]}]
+    assert "licenses" not in components(ros=ros)["a"]
+
+
 @pytest.mark.parametrize("data", [b"", b"[]", b'{"apt": []}'])
 def test_a_damaged_list_of_packages(data: bytes) -> None:
     with pytest.raises(RosmlError, match="is damaged"):
