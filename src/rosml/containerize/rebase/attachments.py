@@ -7,7 +7,7 @@ import gzip
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any
 
 from rosml.base.errors import RosmlError
@@ -19,13 +19,17 @@ from rosml.images.join.facts import Facts
 from rosml.images.join.file_lists import Lists
 from rosml.images.join.layers import Source
 from rosml.images.join.transfer import Transfer
-from rosml.images.scan import cyclonedx, sbom
+from rosml.images.scan import attached, cyclonedx, sbom
+from rosml.images.scan.attached import Attached
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
 from rosml.registry.oci import Manifest
 from rosml.registry.references import Reference
 
 DEPTH = 10  # most apps on one another
+
+LIKELY_AGAIN = 8
+"""So many images' SBOMs are kept: many apps have the same base image. Each takes some ten MB."""
 
 _PYTHON = re.compile(r"(?:.*/)?([^/-]+)-([^/-]+)(?:-py[0-9.]+)?\.(?:dist-info|egg-info)(?:/.*)?")
 """The folder or file in which a package of Python says its name and version."""
@@ -62,6 +66,7 @@ class Attachments:
         self.base_facts = cache(self._base_facts)
         self._facts = cache(lambda place: facts.of(self._registry(place), place.repository, place.reference))
         self._artifacts = cache(self._list)
+        self._sboms = lru_cache(LIKELY_AGAIN)(self._read_sboms)
 
     def app_facts(self, app: Source) -> Facts:
         if app_facts := self._facts(_place(app)):
@@ -155,23 +160,17 @@ class Attachments:
 
     # ---- SBOMs -------------------------------------------------------------------------------------------------------
 
-    def _sboms(self, place: Reference) -> Iterator[bytes]:
-        """Those of our format; of an older one if there is no other."""
-        ours = [it for it in self._artifacts(place, sbom.MEDIA_TYPE) if it.annotations.keys() >= sbom.FORMAT.keys()]
-        newest = [it for it in ours if it.annotations.items() >= sbom.FORMAT.items()]
-        for artifact in newest or ours:
-            yield self._registry(place).part(place.repository, artifact.layers[0])
+    def _read_sboms(self, place: Reference) -> Attached:
+        return attached.read(self._registry(place), place.repository, place.reference)
 
     def sbom(self, app: Source) -> bytes:
-        for document in self._sboms(_place(app)):
-            return document
-        remedy = f"build it again, or move it once, without --no-sbom; {file_lists.COPY}"
-        raise RosmlError(f"{app.name} has no SBOM", remedy, exit_code=2)
+        return self._sboms(_place(app)).first(app.name).content
 
     def new_sbom(self, app: Source, base: BaseContents, reference: str) -> bytes:
         """The SBOM of the new image `reference`: the base image's components, and the app's own."""
-        of_base = (sbom.Sbom(content) for place in base.places for content in self._sboms(place))
-        of_app = (sbom.Sbom(content, _is_of_app(self.app_facts(app))) for content in self._sboms(_place(app)))
+        of_base = (item for place in base.places for item in self._sboms(place).sboms)
+        is_own = _is_of_app(self.app_facts(app))
+        of_app = (sbom.Sbom(item.content, is_own) for item in self._sboms(_place(app)).sboms)
         return cyclonedx.joined(reference, created(app.config.facts), (("", item) for item in (*of_base, *of_app)))
 
 

@@ -59,7 +59,7 @@ class Document(Model):
     dependencies: list[Dependency] = []
 
 
-LARGEST = 256 << 20
+LARGEST = 200_000_000
 """The most bytes of an SBOM. Those of parts have some MB."""
 
 
@@ -78,13 +78,16 @@ class Sbom:
     def components(self) -> list[dict[str, Any]]:
         """All that it says of its components."""
         assert self.document, "it is read, to check it"
-        components: list[dict[str, Any]] = untrusted.json_value(self.content, LARGEST).get("components", [])
-        return [*filter(self.counts, components)]
+        return [*filter(self.counts, self._value.get("components", []))]
+
+    @cached_property
+    def _value(self) -> Any:
+        return untrusted.json_value(self.content, LARGEST)
 
     @cached_property
     def document(self) -> Document:
         try:
-            return Document.model_validate(untrusted.json_value(self.content, LARGEST))
+            return Document.model_validate(self._value)
         except ValueError as error:
             reason = first_of(error) if isinstance(error, ValidationError) else error
             text = f"what is kept as an SBOM is none: {reason}"

@@ -1,0 +1,82 @@
+"""The SBOMs of an image in a registry: those that rosml attached to its manifest.
+
+Everybody who may push into a repository can attach an SBOM, also one that looks like ours. What counts where a false one could let an
+image pass is read by `sbom.Shelf`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rosml.base import units
+from rosml.base.errors import RosmlError
+from rosml.images.scan.sbom import FORMAT, LARGEST, MEDIA_TYPE, Sbom
+from rosml.registry.client import Registry
+from rosml.registry.oci import Manifest
+
+MOST = 32
+"""The most artifacts that are read. An image has one of each publisher and format; further ones are somebody else's."""
+
+REMEDY = "build it again with this rosml, and without --no-sbom; of a copy, copy what is attached to it as well: regctl image copy --referrers"
+
+
+@dataclass(frozen=True)
+class Ignored:
+    """An SBOM that does not count."""
+
+    digest: str  # of the artifact
+    why: str
+
+
+@dataclass(frozen=True)
+class Attached:
+    sboms: tuple[Sbom, ...]
+    """Ours, by the digests of their artifacts: of the newest format; of older ones if there is no other."""
+
+    ignored: tuple[Ignored, ...]
+
+    def first(self, image: str) -> Sbom:
+        """The SBOM that counts. RosmlError with exit code 2 if there is none; `image` is the name in its message."""
+        for sbom in self.sboms:
+            return sbom
+        others = "; ".join(f"{it.digest} does not count: {it.why}" for it in self.ignored[:3])
+        raise RosmlError(f"{image} has no SBOM of rosml{f' ({others})' if others else ''}", REMEDY, exit_code=2)
+
+
+def read(registry: Registry, repository: str, digest: str) -> Attached:
+    """The SBOMs of the manifest of an image for one platform. If it is gone, there are none."""
+    listed = sorted({entry["digest"] for entry in registry.referrers(repository, digest, MEDIA_TYPE)})
+    ignored = [Ignored(name, f"only {MOST} are read") for name in listed[MOST:]]
+    newest, older = list[Sbom](), list[Sbom]()
+    for name in listed[:MOST]:
+        artifact = registry.manifest(repository, name)
+        why = _refused(artifact, digest)
+        if not why and artifact:
+            sbom = Sbom(registry.part(repository, artifact.layers[0], LARGEST))
+            if why := _of_another(sbom, digest):
+                ignored.append(Ignored(name, why))
+            else:
+                (newest if artifact.annotations.items() >= FORMAT.items() else older).append(sbom)
+        else:
+            ignored.append(Ignored(name, why))
+    return Attached(tuple(newest or older), tuple(ignored))
+
+
+def _refused(artifact: Manifest | None, digest: str) -> str:
+    """Why an artifact is none of ours; empty if it may be one."""
+    if artifact is None:
+        return "it is gone"
+    if not artifact.annotations.keys() >= FORMAT.keys():
+        return "somebody else attached it"
+    if artifact.subject != digest or len(artifact.layers) != 1:
+        return "it is not attached as rosml attaches SBOMs"
+    if artifact.layers[0].size > LARGEST:
+        return f"it has {units.size(artifact.layers[0].size)}, and at most {units.size(LARGEST)} are read"
+    return ""
+
+
+def _of_another(sbom: Sbom, digest: str) -> str:
+    try:
+        return "" if sbom.is_of(digest) else "it is of another image"
+    except RosmlError as error:
+        return error.message
