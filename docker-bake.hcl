@@ -40,6 +40,11 @@ variable "OS_UBUNTU_26_04" {
   default     = "docker-image://docker.io/library/ubuntu:26.04@sha256:cd21a4f68a617580279d4b091cb18e3af9fa8a87500665f0ae5f7f757d17d367"
 }
 
+variable "DOCKER_HUB" {
+  description = "what base images begin with that stand for Docker Hub's, for a label"
+  default     = "docker.io/"
+}
+
 variable "PLATFORM" {
   description = "build for this platform only, such as linux/amd64; if empty, for all that a target has"
   default     = ""
@@ -11613,7 +11618,7 @@ target "_none-tensorrt-rtx-cu132-py311" {
 target "_noetic" {
   inherits = ["_image"]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_UBUNTU_20_04)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_UBUNTU_20_04)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_UBUNTU_20_04)[1], null)
     "io.rosml.distribution"                = "noetic"
     "io.rosml.os"                          = "ubuntu-20.04"
@@ -12685,7 +12690,7 @@ target "noetic-core-devel-cu132" {
 target "_foxy" {
   inherits = ["_image"]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_UBUNTU_20_04)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_UBUNTU_20_04)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_UBUNTU_20_04)[1], null)
     "io.rosml.distribution"                = "foxy"
     "io.rosml.os"                          = "ubuntu-20.04"
@@ -13357,7 +13362,7 @@ target "foxy-base-run-tensorflow-cpu38" {
 target "_humble" {
   inherits = ["_image"]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_UBUNTU_22_04)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_UBUNTU_22_04)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_UBUNTU_22_04)[1], null)
     "io.rosml.distribution"                = "humble"
     "io.rosml.os"                          = "ubuntu-22.04"
@@ -14837,7 +14842,7 @@ target "humble-core-tensorrt-rtx-cu132" {
 target "_iron" {
   inherits = ["_image"]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_UBUNTU_22_04)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_UBUNTU_22_04)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_UBUNTU_22_04)[1], null)
     "io.rosml.distribution"                = "iron"
     "io.rosml.os"                          = "ubuntu-22.04"
@@ -16208,7 +16213,7 @@ target "iron-base-run-ml-cpu" {
 target "_jazzy" {
   inherits = ["_image"]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_UBUNTU_24_04)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_UBUNTU_24_04)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_UBUNTU_24_04)[1], null)
     "io.rosml.distribution"                = "jazzy"
     "io.rosml.os"                          = "ubuntu-24.04"
@@ -17848,7 +17853,7 @@ target "jazzy-core-tensorrt-rtx-cu132" {
 target "_kilted" {
   inherits = ["_image"]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_UBUNTU_24_04)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_UBUNTU_24_04)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_UBUNTU_24_04)[1], null)
     "io.rosml.distribution"                = "kilted"
     "io.rosml.os"                          = "ubuntu-24.04"
@@ -19329,7 +19334,7 @@ target "kilted-base-run-ml-cpu" {
 target "_lyrical" {
   inherits = ["_image"]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_UBUNTU_26_04)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_UBUNTU_26_04)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_UBUNTU_26_04)[1], null)
     "io.rosml.distribution"                = "lyrical"
     "io.rosml.os"                          = "ubuntu-26.04"
@@ -20445,7 +20450,7 @@ target "lyrical-core-tensorrt-rtx-cu132" {
 target "_rolling" {
   inherits = ["_image"]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_UBUNTU_26_04)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_UBUNTU_26_04)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_UBUNTU_26_04)[1], null)
     "io.rosml.distribution"                = "rolling"
     "io.rosml.os"                          = "ubuntu-26.04"
@@ -21484,7 +21489,7 @@ target "rolling-base-run-torch-cpu" {
 target "_ros1-bookworm" {
   inherits = ["_image"]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_BOOKWORM)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_BOOKWORM)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_BOOKWORM)[1], null)
     "io.rosml.distribution"                = "ros1-bookworm"
     "io.rosml.os"                          = "bookworm"
@@ -23585,7 +23590,7 @@ target "ros1-bookworm-core-tensorrt-rtx-cu132" {
 target "_ros1-trixie" {
   inherits = ["_image"]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_TRIXIE)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_TRIXIE)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_TRIXIE)[1], null)
     "io.rosml.distribution"                = "ros1-trixie"
     "io.rosml.os"                          = "trixie"
@@ -25551,7 +25556,7 @@ target "_jazzy-wheels" {
   inherits  = ["_image"]
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
   labels = {
-    "org.opencontainers.image.base.name"   = trimprefix(split("@", OS_BOOKWORM)[0], "docker-image://")
+    "org.opencontainers.image.base.name"   = replace(trimprefix(split("@", OS_BOOKWORM)[0], "docker-image://"), DOCKER_HUB, "docker.io/")
     "org.opencontainers.image.base.digest" = try(split("@", OS_BOOKWORM)[1], null)
     "io.rosml.distribution"                = "jazzy-wheels"
     "io.rosml.os"                          = "bookworm"

@@ -105,7 +105,7 @@ class Loader:
     def _engine(self, into: str) -> str:
         """The engine's command; empty if there is none and a file is written."""
         try:
-            return engines.program(self.environment)
+            return engines.choose(self.environment, self.say)
         except RosmlError:
             if into:
                 return ""

@@ -118,7 +118,7 @@ STEP_NETWORK = "STEP_NETWORK"
 """The variable of bake files with the network of steps: `host` for this machine's; empty for the builder's default."""
 
 _BAKE_VARIABLES = re.compile(
-    r"STEP_NETWORK|PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*"
+    r"DOCKER_HUB|STEP_NETWORK|PLATFORM|SOURCE_DATE_EPOCH|REVISION|DIGESTS|ROS_SYNC_DATES|OS_(?!APT_MIRROR$).*"
 )
 """Variables of the bake file that a shell may have for other reasons, and that would change the build."""
 

@@ -8,10 +8,9 @@ import subprocess
 from dataclasses import dataclass
 from typing import Any
 
-from rosml.base import untrusted
+from rosml.base import silent_docker, untrusted
 
 SECONDS = 10.0
-DENIED = "permission denied"
 SILENT = re.compile("docker|error during connect", re.IGNORECASE)
 """Words of Docker's client if its daemon does not answer, also if buildx repeats them."""
 DESKTOP = "docker-desktop"
@@ -52,8 +51,8 @@ def ask(program: str) -> Docker:
         return Docker("docker is podman here, which is no builder", "install Docker")
     if not info.get("ServerVersion"):
         complaint = complaint or _line(info.get("ServerErrors")) or "it says nothing"
-        verb = "let you in" if DENIED in complaint.lower() else "answer"
-        return Docker(f"Docker does not {verb}: {complaint}", remedy(complaint))
+        verb = "let you in" if silent_docker.denies(complaint) else "answer"
+        return Docker(f"Docker does not {verb}: {complaint}", silent_docker.remedy(complaint))
     return Docker(
         machine=str(info.get("Name") or ""),
         containerd_store="io.containerd.snapshotter" in str(info.get("DriverStatus")),
@@ -64,13 +63,6 @@ def ask(program: str) -> Docker:
 def address(program: str = "docker") -> str:
     """The address of the Docker that `docker` asks, by DOCKER_HOST or its context; empty if it does not say."""
     return _output(program, "context", "inspect", "--format", "{{.Endpoints.docker.Host}}")[0].strip()
-
-
-def remedy(complaint: str) -> str:
-    """What to do if Docker does not answer, by the words of its client."""
-    if DENIED in complaint.lower():
-        return "sudo usermod -aG docker $USER, then log in again"
-    return "start Docker (sudo systemctl start docker); 'docker context ls' and DOCKER_HOST say which one is asked"
 
 
 def _output(program: str, *words: str) -> tuple[str, str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import ssl
 import subprocess
 from dataclasses import dataclass
@@ -11,7 +12,7 @@ from pathlib import Path
 
 import httpx
 
-from rosml.base import files, untrusted, web
+from rosml.base import files, silent_docker, untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.shapes import adapter
 from rosml.machine import docker
@@ -20,8 +21,10 @@ from rosml.registry import certificates, credentials
 NAMESPACE = "rosml"
 """Namespace of images in the local registry."""
 REMEDY = "run 'rosml setup'"
+NO_BUILDX = "install Docker with buildx, and start it"
 REGISTRY_SECONDS = 5.0
 BUILDER_SECONDS = 60.0
+VERSION = re.compile(r"v?[0-9][0-9A-Za-z.+-]{0,40}")
 
 
 @dataclass(frozen=True)
@@ -57,9 +60,10 @@ class Services:
             raise RosmlError(f"{path} is damaged", f"{REMEDY}, which writes it again") from None
 
     @classmethod
-    def of_docker(cls, folder: Path) -> Services:
-        """The builder of the user's Docker, without a checkout and without a registry. `folder` is for kept files."""
-        remedy = "install Docker with buildx, and start it; or call this in a checkout, after 'rosml setup'"
+    def of_docker(
+        cls, folder: Path, remedy: str = f"{NO_BUILDX}; or call this in a checkout, after 'rosml setup'"
+    ) -> Services:
+        """The builder of the user's Docker, without a registry. `folder`: its folder `.state` is for kept files."""
         buildx = ("docker", "buildx")
         done = _inspect([*buildx, "inspect"], "docker buildx", remedy)
         names = _values(done.stdout, "Name")
@@ -132,13 +136,15 @@ class Services:
         if not registry_answers(self.registry):
             raise RosmlError(f"the local registry at {self.registry} does not answer", REMEDY)
 
-    def require_builder(self, platform: str = "") -> None:
-        """Checks that buildx reaches the builder, and that the builder runs programs of a platform."""
+    def require_builder(self, platform: str = "") -> str:
+        """Checks that buildx reaches the builder, and that the builder runs programs of a platform. Returns the version of its
+        BuildKit, such as `v0.33.0`; empty if buildx names none."""
         remedy = REMEDY
         if not self.builder:
             raise RosmlError("the builder is not up", REMEDY)
         if self.builder_kind == "user":
-            remedy = f"start your builder '{self.builder}', or unset BUILDX_BUILDER and {REMEDY}"
+            remedy = f"start your builder '{self.builder}', or unset BUILDX_BUILDER"
+            remedy += f" and {REMEDY}" if self.registry else ""
         if self.docker_address:
             self._require_same_docker()
         argv = [*self.buildx, "inspect", self.builder]
@@ -150,12 +156,13 @@ class Services:
             if reasons and not status:
                 state = f"{state}: {reasons[0]}"
                 if docker.SILENT.search(reasons[0]):
-                    remedy = docker.remedy(reasons[0]) + (f"; or {REMEDY}" if self.registry else "")
+                    remedy = silent_docker.remedy(reasons[0]) + (f"; or {REMEDY}" if self.registry else "")
             raise RosmlError(f"the builder '{self.builder}' {state}", remedy)
         platforms = {name.strip(" *") for text in _values(done.stdout, "Platforms") for name in text.split(",")}
         if platform and platform not in platforms:
             text = f"the builder '{self.builder}' does not run programs for {platform}"
             raise RosmlError(text, "run 'rosml setup emulate'")
+        return next(filter(VERSION.fullmatch, _values(done.stdout, "BuildKit version")), "")
 
     def _require_same_docker(self) -> None:
         """Checks that `docker` asks the Docker of setup, since images are loaded into it, and containers start there."""

@@ -25,6 +25,9 @@ CONTAINER_ID = re.compile("[A-Za-z0-9][A-Za-z0-9_.-]*")
 IMAGE_ID = re.compile("(?:sha256:)?[0-9a-f]{64}")
 NAME_WITH_DIGEST = re.compile(r"[A-Za-z0-9][A-Za-z0-9._:/-]*@sha256:[0-9a-f]{64}")
 
+VERSION = re.compile(r"[0-9]{1,4}(?:\.[0-9]{1,4}){1,3}")
+ZSTD = (23,)
+"""The first docker that reads zstd, as `OLD_DOCKER` says."""
 PASSWD = (4, 1)
 """The first podman with both --passwd and --passwd-entry: its release notes of 4.0.0 and 4.1.0."""
 
@@ -73,25 +76,38 @@ def engine(command: str, answer: Answer) -> Engine | None:
 def _podman(command: str, info: Mapping[str, Any]) -> Engine:
     host = _kind(dict, info["host"])
     security = _kind(dict, host.get("security", {}))
-    version = re.match(r"([0-9]{1,4})\.([0-9]{1,4})", str(_kind(dict, info.get("version") or {}).get("Version")))
+    version = _version(_kind(dict, info.get("version") or {}).get("Version"))
     return Engine(
         command,
         podman=True,
+        version=version,
         rootless=bool(security.get("rootless")),
         cdi=PODMAN_CDI,
         machine=str(host.get("hostname") or ""),
         selinux=bool(security.get("selinuxEnabled")),
-        passwd=not version or (int(version[1]), int(version[2])) >= PASSWD,
+        passwd=not version or _numbers(version) >= PASSWD,
     )
+
+
+def _version(text: object) -> str:
+    """The number of a version that its engine names, such as `20.10.24+dfsg1`; empty if there is none."""
+    match = VERSION.match(str(text))
+    return match[0] if match else ""
+
+
+def _numbers(version: str) -> tuple[int, ...]:
+    return tuple(map(int, version.split(".")))
 
 
 def _docker(command: str, info: Mapping[str, Any]) -> Engine | None:
     """None if docker's server does not answer."""
     if info.get("ServerErrors") or not info.get("ServerVersion"):
         return None
+    version = _version(info["ServerVersion"])
     options = [option.partition(",")[0] for option in _texts(info.get("SecurityOptions"))]
     return Engine(
         command,
+        version=version,
         rootless="name=rootless" in options,
         nvidia="nvidia" in _kind(dict, info.get("Runtimes") or {}),
         cdi=tuple(_texts(info.get("CDISpecDirs"))),
@@ -99,7 +115,7 @@ def _docker(command: str, info: Mapping[str, Any]) -> Engine | None:
         selinux="name=selinux" in options,
         snap=str(info.get("DockerRootDir") or "").startswith("/var/snap/"),
         chains="io.containerd.snapshotter" not in str(info.get("DriverStatus")),
-        zstd=re.match(r"(1?[0-9]|2[0-2])\.", str(info["ServerVersion"])) is None,
+        zstd=not version or _numbers(version) >= ZSTD,
     )
 
 

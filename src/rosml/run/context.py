@@ -25,6 +25,7 @@ class Engine:
 
     program: str = "docker"
     podman: bool = False  # also of podman by the name of docker
+    version: str = ""  # such as `29.9.3`; empty if it says none that we understand
     rootless: bool = False  # root in a container is another user outside
     nvidia: bool = False  # NVIDIA's container runtime is one of its runtimes
     cdi: tuple[str, ...] = ()  # the folders in which it looks for CDI files

@@ -6,7 +6,7 @@ import os
 import re
 import shutil
 import subprocess
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
@@ -20,6 +20,8 @@ ENGINE = "ROSML_ENGINE"
 """The environment variable that names an engine, or its path."""
 
 ENGINES = ("docker", "podman")
+SOCKET = "/var/run/docker.sock"
+"""Where Docker listens, unless an environment variable or a context says otherwise."""
 INFO = ("info", "--format", answers.JSON)
 INSPECT_IMAGE = ("image", "inspect", "--format", answers.JSON)
 INSPECT_CONTAINERS = ("container", "inspect", "--format", answers.CONTAINER)
@@ -59,6 +61,25 @@ def program(environment: Mapping[str, str]) -> str:
         remedy = "install one: apt-get install docker.io, or apt-get install podman"
         raise RosmlError("neither docker nor podman is installed, or not on PATH", f"{remedy}; {ENGINE} names another")
     return installed
+
+
+def choose(environment: Mapping[str, str], say: Callable[[str], object]) -> str:
+    """The engine's command, as `program`; podman if it answers and Docker has no daemon. Whoever names an engine gets that one."""
+    command = program(environment)
+    named = any(environment.get(name) for name in (ENGINE, "DOCKER_HOST", "DOCKER_CONTEXT"))
+    if named or command != "docker" or not shutil.which("podman", path=environment.get("PATH")):
+        return command
+    if host(environment).answers(SOCKET):
+        return command
+    from rosml.base import silent_docker  # few people lack a daemon
+
+    info = _ask(command, *INFO)
+    if answers.engine(command, info) or silent_docker.denies(info.complaint + info.text):
+        return command
+    if answers.engine("podman", _ask("podman", *INFO)) is None:
+        return command
+    say(f"docker does not answer, so podman is taken; {ENGINE} names one of them")
+    return "podman"
 
 
 def ask(command: str, image: str, name: str) -> Facts:
@@ -238,19 +259,24 @@ def still_lacking(command: str, image: str) -> RosmlError:
 
 
 def _silent(command: str, complaint: str) -> RosmlError:
+    from rosml.base import silent_docker  # only needed when something is wrong
+
     words = complaint.splitlines()[-1] if complaint else "it says nothing"
     others = [name for name in ENGINES if name != command and shutil.which(name)]
     other = f"; or take the other one: {ENGINE}={others[0]}" if others and command in ENGINES else ""
-    if "permission denied" in complaint.lower():
-        remedy = "sudo usermod -aG docker $USER, then log in again"
-        return RosmlError(f"{command} does not let you in: {words}", remedy + other)
-    return RosmlError(f"{command} does not answer: {words}", f"start it: sudo systemctl start {command}{other}")
+    verb = "let you in" if silent_docker.denies(complaint) else "answer"
+    remedy = f"{command} info says more" if _is_podman(command) else silent_docker.remedy(complaint)
+    return RosmlError(f"{command} does not {verb}: {words}", remedy + other)
 
 
 def _guessed(command: str) -> Engine:
     """The engine by its name alone, if it has the image and yet `info` says nothing."""
-    podman = os.path.basename(command).startswith("podman")
+    podman = _is_podman(command)
     return Engine(command, podman, rootless=podman and os.geteuid() != 0, cdi=PODMAN_CDI if podman else ())
+
+
+def _is_podman(command: str) -> bool:
+    return os.path.basename(command).startswith("podman")
 
 
 def _ask(*argv: str) -> Answer:

@@ -86,8 +86,9 @@ def test_builder_is_down(tmp_path: Path, text: str, says: str) -> None:
 
 
 def test_builder_runs(tmp_path: Path) -> None:
-    services = load(tmp_path, buildx=[executable(tmp_path / "buildx", 'echo "Name: $2"; echo "Status:   running"')])
-    services.require_builder()
+    says = "printf 'Name: %s\\nStatus:   running\\nBuildKit version: v0.33.0\\n' $2"
+    services = load(tmp_path, buildx=[executable(tmp_path / "buildx", says)])
+    assert services.require_builder() == "v0.33.0"
     (tmp_path / "buildx").unlink()
     with pytest.raises(RosmlError, match="does not answer"):
         services.require_builder()

@@ -189,11 +189,30 @@ def test_an_engine_that_cannot_be_run(desk: Desk) -> None:
 )
 def test_an_engine_that_does_not_answer(desk: Desk, complaint: str, remedy: str) -> None:
     desk.engine(info={"ServerVersion": "", "ServerErrors": [complaint]}, images={}, complaint=complaint)
-    desk.engine("podman", info=PODMAN)
+    desk.engine("podman", info={}, images={})
     for desk.command, words in (("run", ["ubuntu"]), ("attach", []), ("attach", ["x"])):
         done = desk.call(*words)
         assert done.returncode == 125 and complaint in done.stderr and remedy in done.stderr
         assert "ROSML_ENGINE=podman" in done.stderr and not desk.called("pull") and not desk.called("run")
+
+
+def test_podman_takes_the_place_of_a_docker_without_a_daemon(desk: Desk) -> None:
+    """It says so. Whoever names Docker gets Docker's error, and whoever may not call Docker, too."""
+    silent = {"ServerVersion": "", "ServerErrors": ["Cannot connect"]}
+    desk.engine(info=silent, images={}, complaint="Cannot connect")
+    desk.engine("podman", info=PODMAN)
+    done = desk.call("--no-tz", "ubuntu")
+    assert (done.returncode, desk.ran[0]) == (0, "podman")
+    assert done.stderr == "rosml: docker does not answer, so podman is taken; ROSML_ENGINE names one of them\n"
+    for name, text in (("ROSML_ENGINE", "docker"), ("DOCKER_HOST", "unix:///x"), ("DOCKER_CONTEXT", "robot")):
+        done = desk.call("ubuntu", **{name: text})
+        assert done.returncode == 125 and "docker does not answer: Cannot connect\n" in done.stderr
+    desk.engine(info=silent, images={}, complaint="permission denied")
+    done = desk.call("ubuntu")
+    assert done.returncode == 125 and "usermod" in done.stderr and "ROSML_ENGINE=podman" in done.stderr
+    desk.engine("podman", info={}, images={}, complaint="no such user")
+    done = desk.call("ubuntu", ROSML_ENGINE="podman")
+    assert "podman does not answer: no such user\nremedy: podman info says more" in done.stderr
 
 
 def test_a_missing_image_is_pulled_first(desk: Desk) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from rosml import STATE
+from rosml import IN_CHECKOUT, ROOT, STATE
 from rosml.base import github, terminal
 from rosml.base.errors import RosmlError
 from rosml.cli.checkout import Group
@@ -73,7 +73,7 @@ def build(out: Path) -> None:
     """Builds the images of a commit, tests them and pushes them."""
     from rosml.containerize.ci import inputs as ci_inputs
     from rosml.containerize.ci import job as ci_job
-    from rosml.machine.services import Services
+    from rosml.machine.services import NO_BUILDX, Services
 
     job, inputs, folder = _job()
     apart = ci_inputs.flag("enable-singlearch-push", inputs)
@@ -82,7 +82,7 @@ def build(out: Path) -> None:
     github.output("folder", str(out))
     images: list[Image] = []
     try:
-        services = Services.of_docker(STATE)
+        services = Services.of_docker(ROOT if IN_CHECKOUT else STATE, NO_BUILDX)
         services.require_builder()
         images = job.build(folder, services, out, apart)
     except RosmlError as error:

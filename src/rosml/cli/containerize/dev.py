@@ -126,7 +126,7 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
       rosml dev -p 127.0.0.1:5678:5678 ~/my_robot
     """
     from rosml.containerize.build import dev_folder
-    from rosml.run import engine, paths
+    from rosml.run import paths
     from rosml.run.host import person
 
     line: words.Line = context.meta[container.LINE]
@@ -137,7 +137,7 @@ def main(context: click.Context, /, folder: str, base_image: str, addons: str, b
     line = replace(line, engine=tuple(paths.resolved(option, caller.folder) for option in line.engine))
     caller = replace(caller, folder=str(place))
     values = _values(place, {"base-image": base_image, "addons": addons})
-    program = engine.program(os.environ)
+    program = container.engine_program()
     dev_folder.require_owner(place, caller.uid)
     key = dev_folder.inputs_digest(place, values)
     if not build and (running := _running(program, caller.folder)):

@@ -113,7 +113,8 @@ def engine() -> Iterator[Finding]:
     from rosml.run.plugins import gpu as gpus
 
     try:
-        program = engines.program(os.environ)
+        reasons: list[str] = []
+        program = engines.choose(os.environ, reasons.append)
         about = engines.answering(program)
     except RosmlError as error:
         # A checkout builds without an engine, and some people only join images in a registry.
@@ -123,7 +124,8 @@ def engine() -> Iterator[Finding]:
     kind = "podman" if about.podman else "docker"
     name = kind if kind == os.path.basename(program) else f"{program}, which is {kind}"
     if about.zstd:
-        yield Finding("engine", "ok", f"{name} answers" + (", rootless" if about.rootless else ""))
+        text = f"{name} {about.version}".rstrip() + " answers" + (", rootless" if about.rootless else "")
+        yield Finding("engine", "ok", "; ".join([text, *reasons]))
     else:
         yield Finding("engine", "wrong", OLD_DOCKER, NEW_DOCKER)
     here = host(os.environ)
@@ -190,7 +192,8 @@ def services() -> Iterator[Finding]:
         "user": "yours",
     }
     no_engine = f", and not Docker's own: {about['no_engine']}" if about["no_engine"] else ""
-    builder = f"{about['name']} ({places.get(about['kind'], about['kind'])}{no_engine})"
+    version = f"BuildKit {about['version']}, " if about["version"] else ""
+    builder = f"{about['name']} ({version}{places.get(about['kind'], about['kind'])}{no_engine})"
     for name, title in (("registry", facts["registry"]["address"]), ("builder", builder)):
         answers = facts[name]["answers"]
         text = f"{title} {'answers' if answers else 'does not answer'}"

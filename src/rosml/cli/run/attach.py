@@ -43,7 +43,7 @@ def main(context: click.Context, /) -> None:
     if line.image in ("", words.HERE):
         container.enter_folder(line, "rosml attach")
         return
-    program = engine.program(os.environ)
+    program = container.engine_program()
     entered = engine.container(program, line.image)
     if entered is None:
         remedy = f"{program} ps --all lists them; rosml attach . COMMAND runs a command in the container of this folder"

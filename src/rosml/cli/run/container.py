@@ -155,10 +155,17 @@ def enter(program: str, line: words.Line, caller: Person, container: Container) 
     perform(line, argv, begin)
 
 
+def engine_program() -> str:
+    """The engine's command. If podman takes Docker's place, says so."""
+    from rosml.run import engine
+
+    return engine.choose(os.environ, lambda text: terminal.echo(f"rosml: {text}", err=True))
+
+
 def enter_folder(line: words.Line, command: str) -> None:
     """Enters the container of the current folder. `command` is the call, for messages."""
     from rosml.run import engine
 
-    program, caller = engine.program(os.environ), host.person(os.environ)
+    program, caller = engine_program(), host.person(os.environ)
     containers = engine.containers(program, FOLDER_LABEL)
     enter(program, line, caller, attach.of_folder(containers, caller.folder, command))

@@ -98,7 +98,7 @@ def main(context: click.Context, /, export: str | None, add: str | None) -> None
 
     Defaults are in .rosml.toml of the project, and in ~/.config/rosml/run.toml. A point is the image that they name.
 
-    The engine is docker, or podman if there is no docker; ROSML_ENGINE names one. The exit code is the command's, or 125 if
+    The engine is docker, or podman if docker does not answer; ROSML_ENGINE names one. The exit code is the command's, or 125 if
     nothing starts.
 
     \b
@@ -114,7 +114,6 @@ def main(context: click.Context, /, export: str | None, add: str | None) -> None
       rosml run
       rosml run . colcon build
     """
-    from rosml.run import engine
 
     line: Line = context.meta[container.LINE]
     _check_words(line)
@@ -132,7 +131,7 @@ def main(context: click.Context, /, export: str | None, add: str | None) -> None
                 raise
     if add is not None and export != "compose":
         raise RosmlError("--add goes with --export compose", "write both, or leave out --add", exit_code=2)
-    program = engine.program(os.environ)
+    program = container.engine_program()
     if export:
         export_call(program, line, caller, files, export, add)
     elif line.asks("check"):

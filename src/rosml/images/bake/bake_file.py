@@ -96,6 +96,7 @@ def _variables(matrix: Matrix) -> Iterator[tuple[str, str, str]]:
     yield "REGISTRY", matrix.registry, "where images live, without https://"
     for os in matrix.operating_systems:
         yield names.os_variable(os), targets.base_image(matrix, os), f"base image of {os}"
+    yield "DOCKER_HUB", "docker.io/", "what base images begin with that stand for Docker Hub's, for a label"
     yield "PLATFORM", "", "build for this platform only, such as linux/amd64; if empty, for all that a target has"
     yield "SOURCE_DATE_EPOCH", targets.EPOCH, "time of every file, in seconds since 1970"
     yield "REVISION", "", "commit that is built, for a label"
@@ -178,7 +179,7 @@ def _value(value: Value, unknown: str) -> str:
         "variable": f'{value.of} == "" ? null : {value.of}',
         "sync date": f"try(sync_dates[{text(value.of)}], {unknown})",
         "root": f'can(digests[{text(value.of)}]) ? "/" : "/out/"',
-        "base name": f'trimprefix(split("@", {value.of})[0], "docker-image://")',
+        "base name": f'replace(trimprefix(split("@", {value.of})[0], "docker-image://"), DOCKER_HUB, "docker.io/")',
         "base digest": f'try(split("@", {value.of})[1], null)',
         "created": f'timeadd("1970-01-01T00:00:00Z", "${{{value.of}}}s")',
     }[value.what]

@@ -53,7 +53,7 @@ def reference(services: Services, systems: Mapping[str, OperatingSystem], name: 
     if not services.bases:
         return _official(systems[name])
     options = "--architecture", architecture or native_architecture()
-    return _for_builder(services, _answer(services, name, _official(systems[name]), ("reference",), *options)[0])
+    return _for_builder(services, name, _answer(services, name, _official(systems[name]), ("reference",), *options)[0])
 
 
 def assembler(services: Services, systems: Mapping[str, OperatingSystem], name: str, python: str) -> Assembler:
@@ -62,15 +62,17 @@ def assembler(services: Services, systems: Mapping[str, OperatingSystem], name: 
         return Assembler(reference(services, systems, name), systems[name].python)
     keys = ("reference", "python")
     text, version = _answer(services, name, _official(systems[name]), keys, "--assembler", python)
-    return Assembler(_for_builder(services, text), version)
+    return Assembler(_for_builder(services, name, text), version)
 
 
-def _for_builder(services: Services, text: str) -> str:
-    """The reference by which the builder pulls an image that this machine made: Docker's own takes the local registry for no mirror."""
-    place = references.parse(references.complete(text))
-    return (
-        str(place._replace(host=services.registry)) if services.is_docker_itself and place.host == DOCKER_HUB else text
-    )
+def docker_hub(services: Services, name: str) -> str:
+    """The host by which the builder pulls what stands for an image of Docker Hub. Docker's own takes the local registry for no mirror."""
+    return services.registry if services.is_docker_itself and services.bases and not _override(name) else DOCKER_HUB
+
+
+def _for_builder(services: Services, name: str, text: str) -> str:
+    hub, whole = docker_hub(services, name), references.complete(text)
+    return f"{hub}{whole.removeprefix(DOCKER_HUB)}" if whole.startswith(f"{DOCKER_HUB}/") else text
 
 
 def missing(services: Services, systems: Mapping[str, OperatingSystem], name: str) -> str:

@@ -23,6 +23,7 @@ def variables(services: Services, image_set: ImageSet, image: Image, architectur
     }
     return {
         "REGISTRY": prefix,
+        "DOCKER_HUB": f"{base_images.docker_hub(services, image.os)}/",
         "PLATFORM": matrix.architectures[architecture].platform,
         **{variable: f"docker-image://{reference}" for variable, reference in references.items()},
     }

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
 from typing import Any
@@ -25,7 +24,10 @@ def down(state: State, remove: bool = False) -> list[str]:
     """Stops both. Returns the stopped services. `remove`: also the container and the volume of a builder in Docker."""
     stopped: list[str] = []
     services = written(state)
-    if services and services.builder_kind == "docker":
+    if not (services and services.builder_kind == "docker"):
+        # What `down` stopped, or a later setup left aside for another builder, has its container still.
+        services = tools.builder_in_container(state) if remove else None
+    if services:
         with suppress(RosmlError):
             builder.stop_docker(state, services, remove)
             stopped.append("builder in Docker")
@@ -47,16 +49,19 @@ def written(state: State) -> Services | None:
 
 
 def status(state: State) -> dict[str, Any]:
-    services = written(state) or Services.load(state.root, required=False)
+    services, version, answers = written(state) or Services.load(state.root, required=False), "", False
+    with suppress(RosmlError):
+        version, answers = services.require_builder(), True
     return {
         "state": str(state.folder),
         "up": bool(services.registry),
-        "registry": {"address": services.registry, "answers": _answers(services.require_registry)},
+        "registry": {"address": services.registry, "answers": _registry_answers(services)},
         "builder": {
             "name": services.builder,
             "kind": services.builder_kind,
             "no_engine": services.no_engine,
-            "answers": _answers(services.require_builder),
+            "version": version,
+            "answers": answers,
         },
         "docker_hub": not services.bases if services.registry else None,
         "ca_bundle": services.ca_bundle,
@@ -65,9 +70,9 @@ def status(state: State) -> dict[str, Any]:
     }
 
 
-def _answers(ask: Callable[[], None]) -> bool:
+def _registry_answers(services: Services) -> bool:
     try:
-        ask()
+        services.require_registry()
     except RosmlError:
         return False
     return True

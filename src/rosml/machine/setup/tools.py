@@ -51,6 +51,14 @@ def buildx_of(installer: Installer) -> tuple[str, ...]:
     return ()
 
 
+def builder_in_container(state: State) -> Services | None:
+    """The builder in a container of the user's Docker that was made here, as buildx calls it; None if there is none."""
+    if not builder.in_container(state):
+        return None
+    buildx = buildx_of(Installer(state)) or (str(state.bin / "buildx"),)
+    return Services(state.root, "", buildx, BUILDER, "docker", state.folder / "buildx", "", "", bases=())
+
+
 class Choice(NamedTuple):
     """The kind and the name of a builder, as in Services. `no_engine`: why it is not in Docker itself."""
 

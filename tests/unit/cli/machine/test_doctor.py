@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -21,8 +22,8 @@ DRIVER = "NVRM version: NVIDIA UNIX x86_64 Kernel Module  {}  Thu\n"
 @pytest.fixture
 def machine(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.setattr(host, "ROOT", tmp_path)
-    monkeypatch.setattr(engine, "program", lambda _: "docker")
-    monkeypatch.setattr(engine, "answering", Engine)
+    monkeypatch.setattr(engine, "choose", lambda *_: "docker")
+    monkeypatch.setattr(engine, "answering", lambda name: Engine(name, version="29.9.3"))
     monkeypatch.setattr(network, "docker_hub_answers", lambda _: True)
     monkeypatch.setattr(network, "answers", lambda _: True)
     monkeypatch.setattr(services, "status", lambda _: {"up": False})
@@ -44,7 +45,7 @@ def findings(code: int = 0) -> dict[str, dict[str, Any]]:
 
 def test_a_machine_without_a_gpu_lacks_nothing_that_fails(machine: Path) -> None:
     by_name = findings()
-    assert by_name["engine"]["found"] == "docker answers"
+    assert by_name["engine"]["found"] == "docker 29.9.3 answers"
     assert "-cpu" in by_name["GPU"]["remedy"] and "GPU in containers" not in by_name
     assert by_name["services"]["remedy"].startswith("./rosml setup")
     assert "GB free; building jazzy-base-torch-cu130 takes " in by_name["disk"]["found"]
@@ -72,6 +73,16 @@ def test_a_gpu_that_the_engine_cannot_hand_in_is_wrong(machine: Path, monkeypatc
     assert findings()["GPU in containers"]["found"] == "docker hands it in: --gpus all"
 
 
+def test_podman_in_dockers_place(machine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def choose(_: object, say: Callable[[str], object]) -> str:
+        say("docker is down")
+        return "podman"
+
+    monkeypatch.setattr(engine, "choose", choose)
+    monkeypatch.setattr(engine, "answering", lambda name: Engine(name, podman=True, version="4.3.1", rootless=True))
+    assert findings()["engine"]["found"] == "podman 4.3.1 answers, rootless; docker is down"
+
+
 def test_docker_that_reads_no_zstd_is_wrong(machine: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(engine, "answering", lambda name: Engine(name, zstd=False))
     finding = findings(1)["engine"]
@@ -94,7 +105,13 @@ def test_a_service_that_does_not_answer_is_wrong(machine: Path, monkeypatch: pyt
     facts = {
         "up": True,
         "registry": {"address": "127.0.0.1:5000", "answers": True},
-        "builder": {"name": "rosml", "kind": "docker", "no_engine": "it is too old", "answers": False},
+        "builder": {
+            "name": "rosml",
+            "kind": "docker",
+            "no_engine": "it is too old",
+            "version": "v0.33.0",
+            "answers": False,
+        },
         "docker_hub": True,
     }
     monkeypatch.setattr(services, "status", lambda _: facts)
@@ -102,5 +119,5 @@ def test_a_service_that_does_not_answer_is_wrong(machine: Path, monkeypatch: pyt
     assert (by_name["registry"]["state"], by_name["builder"]["state"]) == ("ok", "wrong")
     assert by_name["builder"]["remedy"] == "./rosml setup"
     assert by_name["builder"]["found"].startswith(
-        "rosml (in a container of your Docker, and not Docker's own: it is too old)"
+        "rosml (BuildKit v0.33.0, in a container of your Docker, and not Docker's own: it is too old)"
     )

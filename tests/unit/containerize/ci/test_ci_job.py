@@ -328,7 +328,7 @@ def test_a_slim_image_that_nobody_made_is_no_secret(
     machine: Machine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The job is green, and who deploys its tag goes on with an older one."""
-    monkeypatch.setattr(Services, "of_docker", lambda folder: machine.services)
+    monkeypatch.setattr(Services, "of_docker", lambda *_: machine.services)
     monkeypatch.setattr(Services, "require_builder", lambda self: None)
     environment: dict[str, Any] = {
         **GITHUB,
@@ -343,6 +343,14 @@ def test_a_slim_image_that_nobody_made_is_no_secret(
         assert end.exit_code == 0 and (text in end.stdout) == warns
 
 
+def test_a_runner_without_docker(tmp_path: Path) -> None:
+    """A checkout is no help: the files for CI build with Docker there, too."""
+    environment = {**GITHUB, "GITHUB_WORKSPACE": str(tmp_path), "PATH": str(tmp_path)}
+    end = CliRunner().invoke(command.main, ["build", "--out", str(tmp_path / "out")], env=environment)
+    assert isinstance(end.exception, RosmlError) and "docker buildx does not answer" in end.exception.message
+    assert end.exception.remedy == "install Docker with buildx, and start it"
+
+
 # ---- Tests -----------------------------------------------------------------------------------------------------------
 
 
@@ -350,7 +358,7 @@ def test_a_failed_test_is_shown_and_its_reports_are_kept(
     machine: Machine, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     machine.error = "1 of 2 tests failed; no image was made"
-    monkeypatch.setattr(Services, "of_docker", lambda folder: machine.services)
+    monkeypatch.setattr(Services, "of_docker", lambda *_: machine.services)
     monkeypatch.setattr(Services, "require_builder", lambda self: None)
     page, outputs = tmp_path / "page.md", tmp_path / "outputs"
     environment: dict[str, Any] = {**GITHUB, "GITHUB_WORKSPACE": str(tmp_path), "GITHUB_STEP_SUMMARY": str(page)}

@@ -54,7 +54,8 @@ class Caller:
             case "root":
                 return "/" if self.digests.get(of) else "/out/"
             case "base name":
-                return self.variables[of].removeprefix("docker-image://").partition("@")[0]
+                name = self.variables[of].removeprefix("docker-image://").partition("@")[0]
+                return name.replace(self.variables["DOCKER_HUB"], "docker.io/")
             case "base digest":
                 return self.variables[of].partition("@")[2]
             case _:
@@ -132,6 +133,7 @@ def callers(image_set: ImageSet) -> dict[str, dict[str, str]]:
     everything = {
         "REGISTRY": "registry.test:5001/some/where",
         **{name: f"docker-image://mirror.test/{name.lower()}:x@sha256:{'a' * 64}" for name in systems},
+        "DOCKER_HUB": "mirror.test/",
         "PLATFORM": "linux/riscv64",
         "SOURCE_DATE_EPOCH": "86400",
         "REVISION": "0123abc",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -71,6 +72,19 @@ def test_the_command_is_called_once(tmp_path: Path) -> None:
         assert results(services) == (COPY, COPY, Assembler(COPY, "3.12.9"), "nobody has it")
     options = ("--architecture amd64", "--architecture arm64", "--assembler 3.12", "--check")
     assert calls(tmp_path) == [f"{OFFICIAL} {option}" for option in options]
+
+
+def test_dockers_own_builder_has_no_mirror_of_docker_hub(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It pulls from the local registry, and labels say what that stands for."""
+    mirrored, here = f"docker.io/library/copy:1@{OTHER}", "127.0.0.1:5001"
+    theirs = replace(answering(tmp_path, {"reference": mirrored}), registry=here)
+    assert base_images.reference(theirs, SYSTEMS, NAME) == mirrored
+    assert base_images.docker_hub(theirs, NAME) == "docker.io"
+    ours = replace(theirs, builder_kind="engine")
+    assert base_images.reference(ours, SYSTEMS, NAME) == mirrored.replace("docker.io", here)
+    assert base_images.docker_hub(ours, NAME) == here
+    monkeypatch.setenv(VARIABLE, f"{here}/mine:1@{OTHER}")
+    assert base_images.docker_hub(ours, NAME) == "docker.io", "they named it so"
 
 
 def test_an_error_of_the_command(tmp_path: Path) -> None:

@@ -457,6 +457,18 @@ def test_builder_in_docker_is_stopped(state: State, buildx: Path) -> None:
         assert not (state.folder / "services.json").exists()
 
 
+def test_what_was_stopped_before_is_removed_too(state: State, buildx: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """`down`, and then `clean`; or `clean` after a setup that took another builder."""
+    monkeypatch.setattr(fitness, "require", lambda _: None)
+    monkeypatch.setattr(tools, "buildx_of", lambda _: (str(buildx),))
+    docker = services_of(state, "docker", str(buildx))
+    builder.up(state, docker, IMAGE)
+    docker.save()
+    assert services.down(state) == ["builder in Docker"] and services.down(state) == []
+    assert services.down(state, remove=True) == ["builder in Docker"]
+    assert (state.root / "calls").read_text().splitlines()[-1] == "rm --force rosml"
+
+
 def test_builder_of_the_user(state: State, buildx: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("BUILDX_CONFIG", raising=False)
     user = services_of(state, "user", str(buildx))
