@@ -25,7 +25,6 @@ class Engine:
 
     program: str = "docker"
     podman: bool = False  # also of podman by the name of docker
-    version: str = ""  # such as `29.9.3`; empty if it says none that we understand
     rootless: bool = False  # root in a container is another user outside
     nvidia: bool = False  # NVIDIA's container runtime is one of its runtimes
     cdi: tuple[str, ...] = ()  # the folders in which it looks for CDI files
@@ -35,6 +34,7 @@ class Engine:
     passwd: bool = True  # podman's `run` has --passwd and --passwd-entry
     chains: bool = False  # docker's classic store finds a layer of an image by all that is below it
     zstd: bool = True  # it reads layers that are compressed with zstd. docker does since 23
+    version: str = ""  # such as `29.9.3`; empty if it says none that we understand
 
     def is_on(self, host: Host) -> bool:
         """Whether it runs containers on a machine. Docker Desktop has its own machine; on Windows it shares WSL's files."""

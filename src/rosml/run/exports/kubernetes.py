@@ -1,7 +1,7 @@
 """Writes a call as a Deployment of Kubernetes: https://kubernetes.io/docs/reference/kubernetes-api/workload-resources/.
 
 The cluster's machines are others than this one: its GPUs, devices and displays do not count, and a cluster runs containers as root
-does. Kubernetes reads `$(…)` in variables and commands, so each `$` of them is written twice.
+does. Kubernetes reads `$(…)` in variables and commands, so that `$` is written twice.
 """
 
 from __future__ import annotations
@@ -122,8 +122,8 @@ def _image(call: Call) -> str:
 
 
 def _escaped(text: str) -> str:
-    """A text of which Kubernetes reads each `$$` as one `$`."""
-    return text.replace("$", "$$")
+    """A text of which Kubernetes reads `$$` as one `$`. It leaves a `$` alone that begins nothing; podman 4 leaves every one."""
+    return re.sub(r"\$(?=[$(])", "$$", text)
 
 
 def _check(container: Mapping[str, Any], pod: Mapping[str, Any]) -> None:
