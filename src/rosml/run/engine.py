@@ -66,8 +66,8 @@ def program(environment: Mapping[str, str]) -> str:
 def choose(environment: Mapping[str, str], say: Callable[[str], object]) -> str:
     """The engine's command, as `program`; podman if it answers and Docker has no daemon. Whoever names an engine gets that one."""
     command = program(environment)
-    named = any(environment.get(name) for name in (ENGINE, "DOCKER_HOST", "DOCKER_CONTEXT"))
-    if named or command != "docker" or not shutil.which("podman", path=environment.get("PATH")):
+    explicit = any(environment.get(name) for name in (ENGINE, "DOCKER_HOST", "DOCKER_CONTEXT"))
+    if explicit or command != "docker" or not shutil.which("podman", path=environment.get("PATH")):
         return command
     if host(environment).answers(SOCKET):
         return command
