@@ -32,6 +32,7 @@ ADVISORIES: list[dict[str, Any]] = [
     {"Source": "debian 12", "Package": "gnupg2", "ID": "CVE-2026-90001", "Severity": "HIGH", "Fixed": "999-1"},
     {"Source": "debian 12", "Package": "glibc", "ID": "CVE-2026-90002", "Severity": "CRITICAL", "Fixed": ""},
     {"Source": "debian 12", "Package": "bash", "ID": "CVE-2026-90003", "Severity": "CRITICAL", "Fixed": "1.0-1"},
+    {"Source": "debian 12", "Package": "linux", "ID": "CVE-2026-90005", "Severity": "HIGH", "Fixed": "999-1"},
     {
         "Source": "pip::GitHub Security Advisory Pip",
         "Package": "numpy",
@@ -41,7 +42,7 @@ ADVISORIES: list[dict[str, Any]] = [
         "Patched": ["99.0"],
     },
 ]
-"""Of a Debian package with a newer version, of one without, of one that is mended here already, and of a wheel."""
+"""Of a Debian package with a newer version, of one without, of one that is mended here already, of the kernel, and of a wheel."""
 
 
 def installed(folder: Path, environment: Mapping[str, str]) -> Trivy:
@@ -105,9 +106,11 @@ def put_database(registry: Registry, repository: str, folder: Path) -> None:
     put(registry, repository, "2", content)
 
 
-def rules_with(*repositories: str) -> policy.Rules:
-    """The project's policy, with a database from other places."""
+def rules_with(*repositories: str, ignore: str = "") -> policy.Rules:
+    """The project's policy, with a database from other places, and perhaps with other entries of `ignore`."""
     text = (ROOT / "scan.yaml").read_text()
+    if ignore:
+        text = f"{text.partition('ignore:')[0]}ignore:\n{ignore}"
     line_before = next(line for line in text.splitlines() if line.startswith("  repositories:"))
     text = text.replace(line_before, f"  repositories: [{', '.join(repositories)}]")
     return policy.parsed(source.parse(text.encode(), "scan.yaml"))

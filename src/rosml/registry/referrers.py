@@ -6,7 +6,7 @@ import random
 import threading
 import time
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import Any
 from urllib.parse import urlencode
 
@@ -89,17 +89,10 @@ class Referrers(Manifests, Blobs):
         return self._attach(repository, part, oci.artifact(artifact_type, part, media_type, annotations, subject))
 
     def attach_with_layers(
-        self,
-        repository: str,
-        subject: Mapping[str, Any],
-        artifact_type: str,
-        part: bytes,
-        media_type: str,
-        layers: Sequence[Mapping[str, Any]],
+        self, repository: str, part: bytes, artifact: Mapping[str, Any], layers: Iterable[Mapping[str, Any]]
     ) -> str:
-        """As `attach`. The artifact gets further layers, whose blobs the repository has."""
-        content = oci.artifact(artifact_type, part, media_type, subject=subject)
-        content["layers"] += [dict(layer) for layer in layers]
+        """As `attach`, for a manifest of `oci.artifact` with a subject. It gets further layers, whose blobs the repository has."""
+        content = {**artifact, "layers": [*artifact["layers"], *map(dict, layers)]}
         return self._attach(repository, part, content)
 
     def _attach(self, repository: str, part: bytes, artifact: Mapping[str, Any]) -> str:

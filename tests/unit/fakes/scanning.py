@@ -76,7 +76,8 @@ elif "sbom" in argv:
     packages = [c for c in components if c["type"] == "library"]
     system = [c["version"] for c in components if c["type"] == "operating-system"]
     vulnerabilities = [
-        {{**a, "PkgName": p["name"], "InstalledVersion": p["version"], "Title": "what it is about"}}
+        {{**a, "PkgName": p["name"], "InstalledVersion": p["version"], "Title": "what it is about",
+          "PkgIdentifier": {{"PURL": p["purl"], "BOMRef": p["bom-ref"], "UID": "1"}}}}
         for p in packages for a in advisories.get(p["name"], [])
     ]
     missed = world["fail"].get("missed", 0)

@@ -184,7 +184,8 @@ def test_without_the_api_referrers_have_the_fallback_tag(server: LocalRegistry, 
     subject = put_subject(registry)
     layer = oci.descriptor("text/plain", b"two")
     registry.put_blob("a", b"two")
-    digest = registry.attach_with_layers("a", subject, TYPE, b"one", "text/plain", [layer])
+    artifact = oci.artifact(TYPE, b"one", "text/plain", subject=subject)
+    digest = registry.attach_with_layers("a", b"one", artifact, [layer])
     manifest = registry.manifest("a", digest)
     assert manifest and [item.digest for item in manifest.layers] == [oci.digest_of(b"one"), layer["digest"]]
     assert attached(registry, subject) == [digest]

@@ -19,7 +19,7 @@ from rosml.cli.images.call import Call, sharing
     alone=True,
     prints=True,
 )
-@sharing("registry", "matrix", "only", "architecture", "serve", "json")
+@sharing("registry", "matrix", "only", "architecture", "serve", "policy", "json")
 @click.option(
     "--markdown", type=click.Path(path_type=Path, dir_okay=False), help="also write a summary into this file, by cause"
 )
@@ -28,7 +28,8 @@ def main(markdown: Path | None, **options: Any) -> None:
     for a builder, or ended.
 
     Below the table, it counts for each cause the images that this cause keeps from being published. In CI, the summary
-    of the job has the same.
+    of the job has the same. It also shows the vulnerabilities of each image's last scan, and entries of scan.yaml that end within
+    thirty days.
 
     With --registry, the command needs no service of this machine. It asks that registry, and the package repositories
     for their dates.
@@ -38,21 +39,23 @@ def main(markdown: Path | None, **options: Any) -> None:
       rosml status --only 'ros1-bookworm-*'
       rosml status --registry ghcr.io/me/rosml --json
     """
-    from rosml.base.clock import now
+    from rosml.base.clock import day_of, now
     from rosml.cli.images import tables
     from rosml.images.publish import status
+    from rosml.images.scan import policy
 
     call = Call(**options)
     state = call.survey(reading=True)
-    statuses = list(status.read(state, now()))
+    date = now()
+    statuses, ending = list(status.read(state, date)), policy.ending(call.policy, day_of(date))
     causes = status.causes(statuses, state.image_set.matrix.architectures)
     ahead = status.ahead(state)
-    text = tables.status_markdown(str(state.place), statuses, causes, ahead)
+    text = tables.status_markdown(str(state.place), statuses, causes, ahead, ending)
     if markdown:
         files.write(markdown, text)
     github.summary(text)
     github.output("open", str(sum(image.state in status.OPEN for image in statuses)))
     if call.as_json:
-        terminal.echo(status.as_json(statuses))
+        terminal.echo(status.as_json(statuses, ending))
     else:
-        tables.print_status(statuses, causes, ahead)
+        tables.print_status(statuses, causes, ahead, ending, date)

@@ -136,8 +136,8 @@ def print_scan(run: Run) -> None:
             if note not in printed:
                 terminal.echo(f"note: {note}")
         printed.update(image.notes)
-    for problem in run.problems:
-        terminal.echo(problem)
+    for line in (*run.problems, *run.ending):
+        terminal.echo(line)
     states = {(image.database.updated, image.database.digest) for image in run.images if image.database}
     for updated, digest in sorted(states):
         terminal.echo(f"database of {updated}, {digest}")
@@ -148,10 +148,16 @@ FEW = 24
 """As many images as fit on a screen have a line each, whatever their state."""
 
 
-def print_status(statuses: list[ImageStatus], causes: Sequence[Cause], ahead: Iterable[Ahead]) -> None:
+def print_status(
+    statuses: list[ImageStatus],
+    causes: Sequence[Cause],
+    ahead: Iterable[Ahead],
+    ending: Iterable[str] = (),
+    now: str = "",
+) -> None:
     """Prints a line for each image that was published or failed, the published ones first; a block for each cause; and how many
     images each state has. If there are few images, each has a line."""
-    from rosml.images.publish.status import STATES, after_a_number, age
+    from rosml.images.publish.status import STATES, after_a_number, age, vulnerabilities
 
     order = list(STATES)
     shown = [it for it in statuses if it.digest or it.state == "failed" or len(statuses) <= FEW]
@@ -160,6 +166,8 @@ def print_status(statuses: list[ImageStatus], causes: Sequence[Cause], ahead: It
         for it in sorted(shown, key=lambda it: order.index(it.state))
     )
     show(("image", "state", "age", "platforms", "why"), rows, wrapped=["why"], whole=["image"])
+    rows_of_scans = ((it.target, it.eol, vulnerabilities(it, now)) for it in shown if it.database)
+    show(("image", "supported until", "vulnerabilities"), rows_of_scans, wrapped=["vulnerabilities"], whole=["image"])
     out = terminal.console()
     for cause in causes if len(statuses) > 1 else ():
         head = f"{cause.count} {after_a_number(cause.state)}"
@@ -168,6 +176,8 @@ def print_status(statuses: list[ImageStatus], causes: Sequence[Cause], ahead: It
             out.print(f"  {some(cause.targets)}", style="dim", markup=False)
         for line in cause.log.split("\n") if cause.log else ():
             out.print(f"  | {line}", style="dim", markup=False)
+    for line in ending:
+        out.print(line, style="yellow", markup=False)
     out.print(f"{_counts(statuses)}; {_ahead(ahead)}", style="dim")
 
 
@@ -196,7 +206,11 @@ def folded(targets: Sequence[str]) -> str:
 
 
 def status_markdown(
-    place: str, statuses: Sequence[ImageStatus], causes: Sequence[Cause], ahead: Iterable[Ahead]
+    place: str,
+    statuses: Sequence[ImageStatus],
+    causes: Sequence[Cause],
+    ahead: Iterable[Ahead],
+    ending: Iterable[str] = (),
 ) -> str:
     """The state of a registry's images, for the owner of a repository: numbers, then each cause with its images and the
     last lines of its log."""
@@ -209,4 +223,5 @@ def status_markdown(
         lines += [folded(cause.targets), ""]
         if cause.log:
             lines += [github.code(cause.log), ""]
+    lines += [f"- {line}" for line in ending]
     return "\n".join(lines)

@@ -145,7 +145,8 @@ class Attachments:
                     self._registry(place), place.repository, place.reference, registry, repository
                 )
             ]
-            registry.attach_with_layers(repository, subject, file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE, below)
+            content = oci.artifact(file_lists.ARTIFACT, data, file_lists.MEDIA_TYPE, subject=subject)
+            registry.attach_with_layers(repository, data, content, below)
         if with_sbom and sbom.MEDIA_TYPE not in present:
             data = self.new_sbom(app, base, f"{host}/{repository}@{subject['digest']}")
             registry.attach(repository, subject, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)

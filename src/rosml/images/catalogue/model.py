@@ -15,6 +15,7 @@ from rosml.images.image_set import missing_locks
 from rosml.images.image_set.model import Image as MatrixImage
 from rosml.images.matrix.patterns import DIGEST
 from rosml.images.scan.policy import ADVISORY, LONGEST, Severity
+from rosml.images.scan.policy import Status as VexStatus
 
 FORMAT = 1
 
@@ -96,8 +97,11 @@ class Vulnerability(Fact):
     fixed: Word = Field(description="version that fixes it; empty if none does")
     part: Word = Field(description="the ROS image or part that has the package")
     fails: bool = Field(description="whether the policy stops the image because of it")
+    status: VexStatus | Literal[""] = Field(
+        description="whether it concerns the image, in VEX's words; empty if nobody has judged it"
+    )
     ignored: Annotated[str, Field(max_length=400)] = Field(
-        description="why the policy accepts it; empty if no entry of the policy names it"
+        description="why it does not stop the image; empty if the policy has no reason"
     )
     until: Annotated[str, Field(pattern=r"^([0-9]{4}-[0-9]{2}-[0-9]{2})?$")] = Field(
         description="the last day on which the policy accepts it; empty if no entry of the policy names it"

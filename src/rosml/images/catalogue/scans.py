@@ -4,30 +4,19 @@ from __future__ import annotations
 
 from typing import Any
 
-from pydantic import ConfigDict, Field, ValidationError
+from pydantic import ValidationError
 
-from rosml.base.shapes import Shape
 from rosml.images.catalogue.model import Scan, Vulnerability
 from rosml.images.records.store import Entry
+from rosml.images.scan import recorded
 from rosml.images.scan.judge import RECORDED
-
-
-class _Recorded(Shape):
-    """The scan in an entry of the records."""
-
-    model_config = ConfigDict(strict=True)
-
-    updated: str = ""
-    packages: int = 0
-    findings: dict[str, int] = {}
-    failing: list[str] = []
-    vulnerabilities: list[Any] = Field(default=[], alias="named")
 
 
 def scan_of(entry: Entry) -> Scan | None:
     """The result of an image's scan; None if the entry is damaged."""
     try:
-        scan = _Recorded.model_validate(dict(entry.scan))
+        if not (scan := recorded.scan_of(entry)):
+            return None
         return Scan(
             outcome=entry.scanned,
             database=scan.updated,
@@ -43,6 +32,7 @@ def scan_of(entry: Entry) -> Scan | None:
 def _vulnerability(content: Any) -> Vulnerability | None:
     """A vulnerability of the records; None if it is damaged: then it counts, and has no name."""
     try:
-        return Vulnerability.model_validate(content)
+        # Records of earlier versions say nothing of VEX.
+        return Vulnerability.model_validate({"status": ""} | content if isinstance(content, dict) else content)
     except ValidationError:
         return None

@@ -72,6 +72,9 @@ COVERED = f"{PREFIX}sbom."
 SBOM = f"{PREFIX}sbom"
 """The annotation of a joined image in its index that names the SBOM of the whole image, likewise."""
 
+VEX = f"{PREFIX}vex"
+"""The annotation of an image in its index that names its VEX, likewise."""
+
 
 class ImageKind(NamedTuple):
     """What an image is, in the words of the matrix; `ros` is 1 or 2."""

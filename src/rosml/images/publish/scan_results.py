@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Literal
@@ -18,10 +19,12 @@ from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
 from rosml.base.shapes import Shape
+from rosml.images.publish import vex as publish_vex
 from rosml.images.publish.run import Outcome, Run
 from rosml.images.records import store
-from rosml.images.scan import judge
+from rosml.images.scan import judge, vex
 from rosml.images.scan.trivy import WRITTEN_BYTES
+from rosml.images.scan.vex import Statement
 from rosml.registry.references import is_digest
 
 PAUSE_SECONDS = 30.0
@@ -37,11 +40,14 @@ class Results:
     entries: dict[tuple[str, str], dict[str, Any]] = field(default_factory=dict)
     _written: float = float("-inf")
 
-    def add(self, entry: store.Entry) -> None:
-        """Adds the result of an image, and writes the file from time to time: if a scan is killed, its finished images are kept."""
+    def add(self, entry: store.Entry, statements: Sequence[Statement] = ()) -> None:
+        """Adds the result of an image, and its new VEX. Writes the file from time to time: if a scan is killed, its finished images are kept."""
         facts = entry.to_json()
         names = ("target", "architecture", "digest", "scanned", "scan")
-        self.entries[entry.target, entry.architecture] = {name: facts[name] for name in names if name in facts}
+        result = {name: facts[name] for name in names if name in facts}
+        if statements:
+            result["vex"] = vex.packed(statements)
+        self.entries[entry.target, entry.architecture] = result
         if time.monotonic() - self._written >= PAUSE_SECONDS:
             self.write()
 
@@ -60,19 +66,21 @@ class _File(Shape):
 
 def record(run: Run, file: Path) -> None:
     """Writes the results of a scan into the registry."""
-    for scanned in _read(file):
+    for scanned, statements in _read(file):
         key = scanned.target, scanned.architecture
         entry = run.state.entries.get(key)
         if entry is None or entry.digest != scanned.digest:
             run.outcomes.append(Outcome("record", *key, "waits", "it was rebuilt after the scan"))
             continue
         entry = replace(entry, scanned=scanned.scanned, scan=scanned.scan, changed=run.state.date)
+        if statements:
+            entry = publish_vex.attach(run.state.place, entry, statements, run.state.date)
         run.records.write(entry)
         run.state.entries[key] = entry
         run.outcomes.append(Outcome("record", *key, "done", scanned.scanned))
 
 
-def _read(file: Path) -> list[store.Entry]:
+def _read(file: Path) -> list[tuple[store.Entry, list[Statement]]]:
     try:
         data = file.read_bytes()
         content = _File.model_validate_json(untrusted.json_text(data, WRITTEN_BYTES))
@@ -84,9 +92,10 @@ def _read(file: Path) -> list[store.Entry]:
         raise RosmlError(text, "write it again with: rosml publish scan --output FILE", exit_code=2) from None
 
 
-def _entry(item: Any) -> store.Entry:
-    entry = store.parse(item)
+def _entry(item: Any) -> tuple[store.Entry, list[Statement]]:
+    text = item.pop("vex", "") if isinstance(item, dict) else ""
+    entry, statements = store.parse(item), vex.unpacked(str(text)) if text else []
     outcomes = {outcome.value for outcome in judge.Outcome}
     if entry is None or entry.scanned not in outcomes or not is_digest(entry.digest):
         raise ValueError("an entry has no outcome of a scan")
-    return entry
+    return entry, statements

@@ -5,19 +5,21 @@ from __future__ import annotations
 import json
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from datetime import datetime
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from datetime import datetime, timedelta
 from typing import Any, Literal
 
 from rosml.base.clock import TIME, is_ahead, is_date
-from rosml.base.problems import counted, listed
+from rosml.base.problems import counted, listed, some
 from rosml.images.image_set import missing_locks
 from rosml.images.image_set.missing_locks import UNLOCKED
 from rosml.images.image_set.model import Image, Part, repository_of, tags_of
 from rosml.images.publish.items import ELSEWHERE, ENDED, WAITING, Item, Key, Step
 from rosml.images.publish.state import State
 from rosml.images.records.store import Entry, date_of
+from rosml.images.scan.policy import SEVERITIES
+from rosml.images.scan.recorded import scan_of
 
 STATES = {
     "published": "green",
@@ -53,9 +55,13 @@ class ImageStatus:
     platforms: tuple[str, ...]
     log: str = ""  # the last lines of what failed, from the records
     kind: Literal["image", "part"] = "image"
+    eol: str = ""  # last day of support of its distribution; empty of a part, or if it has none
+    vulnerabilities: Mapping[str, int] = field(default_factory=dict)  # of its scan, by severity
+    failing: tuple[str, ...] = ()  # advisories that stop it
+    database: str = ""  # when the database of its scan was made; empty if it was not scanned
 
     def to_json(self) -> dict[str, Any]:
-        return {**vars(self), "platforms": list(self.platforms)}
+        return {**vars(self), "platforms": list(self.platforms), "failing": list(self.failing)}
 
 
 def read(state: State, now: str) -> Iterator[ImageStatus]:
@@ -77,7 +83,46 @@ def read(state: State, now: str) -> Iterator[ImageStatus]:
             tuple((item.platform and item.platform.architecture) or "" for item in (index.members if index else ())),
             _log(state, thing) if name == "failed" else "",
             "part" if isinstance(thing, Part) else "image",
+            _eol(state, thing),
+            **_vulnerabilities(state, thing),
         )
+
+
+def _eol(state: State, thing: Image | Part) -> str:
+    day = None if isinstance(thing, Part) else state.image_set.matrix.distributions[thing.distribution].eol
+    return str(day) if day else ""
+
+
+def _vulnerabilities(state: State, thing: Image | Part) -> dict[str, Any]:
+    """What the scans of an image's architectures say, for `ImageStatus`: the most of each severity, and the oldest database."""
+    entries = [state.entries[key] for key in state.members(thing) if key in state.entries]
+    scans = [scan for entry in entries if entry.scanned and (scan := scan_of(entry))]
+    severities = {name for scan in scans for name in scan.findings}
+    return {
+        "vulnerabilities": {
+            name: max(scan.findings.get(name, 0) for scan in scans) for name in SEVERITIES if name in severities
+        },
+        "failing": tuple(sorted({name for scan in scans for name in scan.failing})),
+        "database": min((scan.updated for scan in scans), default=""),
+    }
+
+
+def vulnerabilities(it: ImageStatus, now: str) -> str:
+    """What people read about an image's vulnerabilities, in the words of the catalogue: `3 high, 1 low known; CVE-2026-1 stops the image`."""
+    if not it.database:
+        return ""
+    counts = ", ".join(f"{number} {name}" for name, number in it.vulnerabilities.items())
+    texts = [f"{counts or 'none'} known"]
+    if it.failing:
+        texts.append(f"{some(it.failing)} {'stops' if len(it.failing) == 1 else 'stop'} the image")
+    updated, today = _time(it.database), _time(now)
+    if updated and today and today - updated > OLD:
+        texts.append(f"by a database of {it.database[:10]}")
+    return "; ".join(texts)
+
+
+OLD = timedelta(days=7)
+"""If the database of a scan is older, people have to know."""
 
 
 def _state(state: State, thing: Image | Part, tagged: str) -> tuple[str, str]:
@@ -291,7 +336,8 @@ def age(seconds: float | None) -> str:
     return f"{max(0, int(seconds))} s"
 
 
-def as_json(statuses: list[ImageStatus]) -> str:
-    """The states of images as JSON, with the count of each state."""
+def as_json(statuses: list[ImageStatus], ending: Sequence[str] = ()) -> str:
+    """The states of images as JSON, with the count of each state, and the policy's entries that end soon."""
     counts = Counter(image.state for image in statuses)
-    return json.dumps({"counts": dict(counts), "images": [image.to_json() for image in statuses]}, indent=2)
+    images = [image.to_json() for image in statuses]
+    return json.dumps({"counts": dict(counts), "ending": list(ending), "images": images}, indent=2)

@@ -61,6 +61,7 @@ class Entry:
     failures: tuple[str, ...] = ()
     provenance: Mapping[str, str] = field(default_factory=dict)  # digests of the provenance statements, by builder
     sbom: str = ""  # digest of the artifact with its SBOM; none of an index
+    vex: str = ""  # digest of the artifact with its VEX; of an index, those that it names of its images
     described: str = ""  # `contents.FORMAT` of what is attached to it
     scanned: str = ""  # outcome of the scan
     scan: Mapping[str, Any] = field(default_factory=dict)  # what the policy and the database said
@@ -71,7 +72,9 @@ class Entry:
     held: str = ""  # for an index, when its tags were moved back. It gets no more tags.
     failed: Mapping[str, str] = field(default_factory=dict)  # the step that failed last, and why
     superseded: tuple[str, ...] = ()  # earlier digests, which may still be in the registry
-    signed: Mapping[str, str] = field(default_factory=dict)  # for an index, when, by the signature's identity
+    signed: Mapping[str, str] = field(
+        default_factory=dict
+    )  # of an index or of an image's VEX: when, by the signature's identity
 
     @property
     def tag(self) -> str:

@@ -58,7 +58,9 @@ def document(
         created: when the image was made, in seconds since 1970.
         of_ros: the origin of a ROS package, by its name.
     """
-    image = Component(name=reference, type=ComponentType.CONTAINER, bom_ref=reference)
+    repository, _, digest = reference.partition("@")
+    purl = PackageURL("oci", None, repository.rpartition("/")[2], digest, {"repository_url": repository})
+    image = Component(name=reference, type=ComponentType.CONTAINER, bom_ref=reference, purl=purl)
     tool = Component(name="rosml", version=__version__, type=ComponentType.APPLICATION)
     about = BomMetaData(
         component=image,
@@ -71,10 +73,15 @@ def document(
     bom = Bom(
         components=every,
         metadata=about,
-        serial_number=uuid.uuid5(uuid.NAMESPACE_URL, reference),
+        serial_number=serial(reference),
         dependencies=[_needs(image, every), *(_needs(component, needs) for component, needs in components.needs())],
     )
     return JsonV1Dot6(bom).output_as_string().encode()
+
+
+def serial(reference: str) -> uuid.UUID:
+    """The serial number of an image's SBOM, by which other documents name its components."""
+    return uuid.uuid5(uuid.NAMESPACE_URL, reference)
 
 
 def _needs(component: Component, needs: Iterable[Component]) -> Dependency:

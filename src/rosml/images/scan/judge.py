@@ -11,11 +11,11 @@ from dataclasses import asdict, dataclass, field, replace
 from datetime import UTC, date, datetime
 from enum import StrEnum
 from functools import cached_property
-from typing import Any
+from typing import Any, Literal
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some
-from rosml.images.scan.policy import LONGEST, SEVERITIES, Ignored, Policy, Rules
+from rosml.images.scan.policy import LONGEST, SEVERITIES, Ignored, Justification, Policy, Rules, Status
 from rosml.images.scan.sbom import Shelf
 from rosml.images.scan.trivy import ANOTHER, SCANNER_FAILED, Database, Report, ScannerFailed, Trivy, Vulnerability
 
@@ -73,8 +73,14 @@ class Finding:
     title: str = ""
     url: str = ""
     ignored: str = ""  # the reason why the policy ignores it; empty if it does not
-    until: str = ""  # the last day on which it does, such as 2027-05-31; empty if it does not
+    until: str = ""  # the last day on which an entry of the policy ignores it, such as 2027-05-31; empty if none does
     fails: bool = False
+    status: Status | Literal[""] = ""  # what VEX says of it; empty if nobody has judged it
+    justification: Justification | Literal[""] = ""  # why the image is not affected
+    action: str = ""  # what users can do; empty if they need not do anything
+    purl: str = ""
+    ref: str = ""  # the component in the SBOM
+    vendor: str = ""  # what the distribution says, in trivy's words
 
     @property
     def order(self) -> tuple[Any, ...]:
@@ -116,7 +122,7 @@ class Scanned:
         fields = ("id", "severity", "package", "installed", "fixed", "part")
         return [
             {name: getattr(finding, name)[:LONGEST] for name in fields}
-            | {"fails": finding.fails, "ignored": finding.ignored, "until": finding.until}
+            | {"fails": finding.fails, "ignored": finding.ignored, "until": finding.until, "status": finding.status}
             for finding in sorted(self.findings, key=lambda finding: not finding.fails)[:RECORDED]
         ]
 
@@ -130,6 +136,7 @@ class Run:
 
     images: tuple[Scanned, ...]
     problems: tuple[str, ...] = ()  # of the policy's own entries, with file and line; they fail the run, but no image
+    ending: tuple[str, ...] = ()  # entries of the policy that end within thirty days, likewise; they fail nothing
 
     @property
     def outcome(self) -> Outcome:
@@ -144,6 +151,7 @@ class Run:
             "outcome": self.outcome.value,
             "exit_code": self.outcome.exit_code,
             "problems": list(self.problems),
+            "ending": list(self.ending),
             "images": [image.to_json() for image in self.images],
         }
 
@@ -225,6 +233,9 @@ def _finding(vulnerability: Vulnerability, kind: str, part: Part) -> Finding:
         kind=kind,
         title=vulnerability.Title,
         url=vulnerability.PrimaryURL,
+        purl=vulnerability.PkgIdentifier.PURL,
+        ref=vulnerability.PkgIdentifier.BOMRef,
+        vendor=vulnerability.Status,
     )
 
 
@@ -260,8 +271,38 @@ def scan(image: Image, rules: Rules, scanner: Scanner, today: date) -> Scanned:
 
 def _judged(finding: Finding, policy: Policy, entry: Ignored | None) -> Finding:
     if entry:
-        return replace(finding, ignored=entry.reason, until=str(entry.expires))
-    return replace(finding, fails=policy.stops(finding.severity) and (bool(finding.fixed) or not policy.fixable_only))
+        action = entry.action or (_update(finding) if entry.status == "affected" else "")
+        judged = replace(finding, status=entry.status, justification=entry.justification or "", action=action)
+        return replace(judged, ignored=entry.reason, until=str(entry.expires))
+    if finding.package.startswith(KERNEL_HEADERS):
+        return replace(
+            finding,
+            status="not_affected",
+            justification="vulnerable_code_not_present",
+            ignored="the package has headers of the kernel, and none of its code",
+        )
+    if policy.stops(finding.severity) and (bool(finding.fixed) or not policy.fixable_only):
+        return replace(finding, fails=True, status="affected", action=_update(finding))
+    if finding.vendor in VENDOR and not finding.fixed:
+        return replace(finding, status="affected", action=VENDOR[finding.vendor])
+    return finding
+
+
+KERNEL_HEADERS = "linux-libc-dev"
+"""The beginning of names of packages with the headers of the kernel. Containers use the kernel of their machine."""
+
+VENDOR = {
+    "will_not_fix": "the distribution will not fix it in this release; a newer release may have a fix",
+    "fix_deferred": "the distribution fixes it together with another problem, or not in this release",
+    "end_of_life": "the distribution does not support the package any more; a newer release may",
+}
+"""What users can do if a distribution says this, in trivy's words. Of one that is not affected, trivy's database says nothing at all."""
+
+
+def _update(finding: Finding) -> str:
+    if not finding.fixed:
+        return f"no version of {finding.package} fixes it yet"
+    return f"use an image with {finding.package} {finding.fixed} or newer"
 
 
 def _outcome(findings: Sequence[Finding], reasons: Sequence[str], parts: Sequence[Part]) -> tuple[Outcome, str]:
@@ -346,8 +387,9 @@ def summarise(
             and not any(image.outcome is Outcome.SCANNER_FAILED and entry.is_for(image.target) for image in scans)
         ]
         problems += rules.unmatched(matched, judged)
+    ending = [problem.message(rules.document.name) for problem in rules.ending(today)]
     texts = [problem.message(rules.document.name) for problem in sorted(problems, key=lambda problem: problem.line)]
-    return Run(scans, tuple(texts))
+    return Run(scans, tuple(texts), tuple(ending))
 
 
 def _digests(image: Image) -> dict[str, str]:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass
-from datetime import date
+from datetime import date, timedelta
 from fnmatch import fnmatchcase
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self
 
-from pydantic import BeforeValidator, Field
+from pydantic import BeforeValidator, Field, model_validator
 
-from rosml.base.problems import Problem
+from rosml.base.problems import Problem, counted
 from rosml.images.matrix import source, validate
 from rosml.images.matrix.patterns import Facts, only_whole
 
@@ -22,6 +22,21 @@ Severity = Literal["critical", "high", "medium", "low", "unknown"]
 
 SEVERITIES: tuple[Severity, ...] = ("critical", "high", "medium", "low", "unknown")
 """The worst first."""
+
+Status = Literal["affected", "not_affected", "fixed", "under_investigation"]
+"""VEX's words for how a vulnerability concerns an image."""
+
+Justification = Literal[
+    "component_not_present",
+    "vulnerable_code_not_present",
+    "vulnerable_code_not_in_execute_path",
+    "vulnerable_code_cannot_be_controlled_by_adversary",
+    "inline_mitigations_already_exist",
+]
+"""VEX's reasons why an image is not affected: https://github.com/openvex/spec/blob/main/OPENVEX-SPEC.md"""
+
+SOON = timedelta(days=30)
+"""So long before an entry ends, runs say so."""
 
 ADVISORY = r"^[A-Z][A-Za-z0-9]*(-[A-Za-z0-9]+)+$"
 PACKAGE = r"^[A-Za-z0-9][A-Za-z0-9._+-]*$"
@@ -51,8 +66,23 @@ class Ignored(Facts):
     targets: Annotated[str, Field(pattern=GLOB, max_length=128)] = Field(
         default="*", description="only in images whose bake target matches this pattern"
     )
-    reason: Annotated[str, Field(pattern=REASON, max_length=400)] = Field(description="why it does no harm here")
+    status: Status = Field(default="affected", description="whether it concerns these images, in VEX's words")
+    justification: Justification | None = Field(
+        default=None, description="for status not_affected, and only for it: why not"
+    )
+    reason: Annotated[str, Field(pattern=REASON, max_length=400)] = Field(description="why it does not stop images")
+    action: Annotated[str, Field(pattern=REASON, max_length=400)] | None = Field(
+        default=None, description="for status affected: what users can do, beside an image with a newer package"
+    )
     expires: date = Field(description="the last day on which it is ignored")
+
+    @model_validator(mode="after")
+    def _is_complete(self) -> Self:
+        if (self.status == "not_affected") != bool(self.justification):
+            raise ValueError("'status: not_affected' and 'justification' belong together")
+        if self.action and self.status != "affected":
+            raise ValueError("'action' is for images that are affected")
+        return self
 
     def covers(self, target: str, advisory: str, package: str) -> bool:
         return self.id == advisory and self.package in (None, package) and self.is_for(target)
@@ -97,6 +127,15 @@ class Rules:
         entries = enumerate(self.policy.ignore)
         return {index: self._problem(index, text.format(entry)) for index, entry in entries if entry.expires < today}
 
+    def ending(self, today: date) -> list[Problem]:
+        """The entries of `ignore` that end within thirty days, each with its message."""
+        text = "{0.id} is ignored until {0.expires}, {1} from now; look at it again"
+        return [
+            self._problem(index, text.format(entry, counted((entry.expires - today).days, "day")))
+            for index, entry in enumerate(self.policy.ignore)
+            if today <= entry.expires <= today + SOON
+        ]
+
     def in_force(self, today: date) -> Policy:
         """The policy without expired entries of `ignore`."""
         expired = self.expired(today)
@@ -123,6 +162,12 @@ class Rules:
 def load(file: Path) -> Rules:
     """Reads a policy. Raises an `InputError` with every problem of the file."""
     return parsed(source.read(file, "--policy"))
+
+
+def ending(file: Path, today: date) -> list[str]:
+    """The entries of a policy that end within thirty days, each with its file and line. Raises as `load`."""
+    rules = load(file)
+    return [problem.message(rules.document.name) for problem in rules.ending(today)]
 
 
 def parsed(document: source.Document) -> Rules:

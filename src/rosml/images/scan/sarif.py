@@ -101,8 +101,21 @@ def _result(scanned: Scanned, finding: Finding) -> dict[str, Any]:
 def finding_rows(findings: Sequence[Finding]) -> Iterator[tuple[str, ...]]:
     """A row for each finding, with the cells of `COLUMNS`."""
     for item in findings:
-        verdict = "stops the image" if item.fails else f"ignored: {item.ignored}" if item.ignored else ""
-        yield (item.severity, item.id, item.package, item.installed, item.fixed or "-", item.part, verdict)
+        yield (item.severity, item.id, item.package, item.installed, item.fixed or "-", item.part, verdict(item))
+
+
+def verdict(finding: Finding) -> str:
+    """What the policy says of a finding: `accepted until 2027-05-31: …`, or `not affected: …` as VEX has it."""
+    if finding.fails:
+        return "stops the image"
+    if not finding.ignored:
+        return ""
+    accepted = finding.status in ("", "affected")
+    return f"{'accepted' if accepted else finding.status.replace('_', ' ')}{until(finding.until)}: {finding.ignored}"
+
+
+def until(day: str) -> str:
+    return f" until {day}" if day else ""
 
 
 def summary(scanned: Scanned) -> str:

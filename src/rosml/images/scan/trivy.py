@@ -82,6 +82,13 @@ class Model(Shape):
     model_config = ConfigDict(frozen=True, strict=True)
 
 
+class Identifier(Model):
+    """How trivy names a package: by its package URL, and by the `bom-ref` of the SBOM."""
+
+    PURL: str = ""
+    BOMRef: str = ""
+
+
 class Vulnerability(Model):
     VulnerabilityID: str
     PkgName: str
@@ -90,6 +97,8 @@ class Vulnerability(Model):
     FixedVersion: str = ""
     Title: str = ""
     PrimaryURL: str = ""
+    Status: str = ""  # what the distribution says, such as will_not_fix
+    PkgIdentifier: Identifier = Identifier()
 
 
 class Result(Model):

@@ -16,8 +16,9 @@ from fakes.memory_registry import DAY, NEXT, MemoryRegistry, Publisher, Run, pub
 from fakes.projects import BASE
 from fakes.scanning import World, advisory, rules
 from fakes.stubs import services
+from rosml.base.errors import RosmlError
 from rosml.images.image_set import restricted
-from rosml.images.image_set.labels import COVERED
+from rosml.images.image_set.labels import COVERED, VEX
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.publish import scan_results
 from rosml.images.publish.scan_results import Results
@@ -25,6 +26,7 @@ from rosml.images.publish.steps import STEPS
 from rosml.images.publish.steps.scan import policy_digest, scan
 from rosml.images.records.store import INDEX
 from rosml.images.scan import judge as judging
+from rosml.images.scan import vex
 from rosml.images.scan.judge import Outcome, summarise
 from rosml.images.scan.policy import Rules
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
@@ -186,6 +188,89 @@ def test_an_ignore_entry_that_has_expired_lets_no_tag_move(registry: Publisher, 
     late = replace(first, date=NEXT)
     assert "amd64: scan: not done by this policy" in waiting(late.begin("index"), BASE)
     assert stopped(late.run(world)) == ["CVE-2026-2"]
+
+
+ACCEPTED = "  - {{id: CVE-2026-2, reason: {}, expires: 2027-01-31}}\n"
+
+
+def vex_of(run: Run) -> tuple[str, dict[str, Any]]:
+    """The digest of the VEX of an image with PyTorch, and the statement in it."""
+    entry, place = run.state.entries[BASE, "amd64"], run.state.place
+    path = place.path(entry.repository)
+    artifact = place.client.manifest(path, entry.vex)
+    assert artifact and artifact.subject == entry.digest
+    assert [layer.mediaType for layer in artifact.layers] == [vex.MEDIA_TYPE, MEDIA_TYPE]
+    (statement,) = json.loads(place.client.part(path, artifact.layers[0]))["statements"]
+    return entry.vex, statement
+
+
+def covered(run: Run) -> str:
+    """The VEX that the index names of that image."""
+    place = run.state.place
+    index = place.client.manifest(place.path("ros-torch"), run.state.entries[BASE, INDEX].digest)
+    assert index
+    (member,) = (it for it in index.members if it.platform and it.platform.architecture == "amd64")
+    return member.annotations[VEX].partition("@")[2]
+
+
+@dataclass
+class Recording:
+    """A signer that only remembers what it signs."""
+
+    identity: str = "sha256:1"
+    signed: list[str] = field(default_factory=list)
+
+    def ensure(self, reference: str) -> bool:
+        self.signed.append(reference.partition("@")[2])
+        return True
+
+
+def test_the_verdict_travels_with_the_image(alpha: Scan, world: World) -> None:
+    """The index's signature covers VEX. If it changes and the image does not, it has one of its own, and no tag moves."""
+    run = replace(alpha, policy=rules(ACCEPTED.format("nobody calls it"))).run(world)
+    digest, statement = vex_of(run)
+    assert statement["status"] == "affected" and "nobody calls it" in statement["status_notes"]
+    assert covered(run) == digest
+
+    world.updated = "2026-11-23T00:00:00Z"  # another database that says the same
+    again = replace(alpha, policy=rules(ACCEPTED.format("nobody calls it")), date=NEXT)
+    assert vex_of(again.run(world))[0] == digest
+
+    changed = replace(alpha, policy=rules(ACCEPTED.format("nobody calls it here")), date=NEXT)
+    run, signer = changed.begin(), Recording()
+    run.signer = signer  # type: ignore[assignment]
+    scan(run, changed.policy, world.ready())
+    STEPS["index"](run)
+    other, statement = vex_of(run)
+    assert other != digest and covered(run) == digest, "the index stays as it was"
+    assert other in signer.signed and len(signer.signed) == len({*signer.signed})
+    signer.signed.clear()
+    STEPS["index"](run)
+    assert not signer.signed, "each is signed once"
+
+
+def test_a_verdict_is_not_withdrawn_in_silence(alpha: Scan, world: World) -> None:
+    """Who looks for the newest VEX of the image would still read the old one."""
+    world.advisories = {"torch": [advisory("CVE-2026-2", "LOW", "")]}
+    digest, _ = vex_of(replace(alpha, policy=rules(ACCEPTED.format("nobody calls it"))).run(world))
+    other, statement = vex_of(replace(alpha, date=NEXT).run(world))
+    assert other != digest and statement["status"] == "under_investigation"
+
+
+def test_vex_is_handed_over_to_the_job_that_may_write(alpha: Scan, world: World, tmp_path: Path) -> None:
+    policy = rules(ACCEPTED.format("nobody calls it"))
+    run = replace(alpha, policy=policy).begin("build", "join", "test")
+    results = Results(tmp_path / "scan.json", DAY)
+    scan(run, policy, world.ready(), results=results)
+    results.write()
+    recording = replace(alpha, policy=policy).begin()
+    scan_results.record(recording, results.file)
+    assert vex_of(recording)[1]["status"] == "affected"
+    content = json.loads(results.file.read_text())
+    content["entries"][-1]["vex"] = "H4sI"
+    results.file.write_text(json.dumps(content))
+    with pytest.raises(RosmlError, match="does not hold the results of a scan"):
+        scan_results.record(recording, results.file)
 
 
 @pytest.mark.parametrize("handed_over", [False, True])

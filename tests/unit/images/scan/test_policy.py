@@ -10,7 +10,7 @@ import pytest
 from conftest import ROOT
 
 from fakes.scanning import NOW, POLICY, World, advisory, digest, image, rules
-from rosml.base.problems import InputError
+from rosml.base.problems import InputError, counted
 from rosml.images.image_set import load
 from rosml.images.matrix import source
 from rosml.images.scan import judge, policy
@@ -65,6 +65,10 @@ def test_a_mistake_is_named_with_its_line(before: str, after: str, problem: str)
         (", expires: 2027-01-31", "", "scan.yaml:6:3: ignore[0]: 'expires' is missing"),
         ("not reachable", "none", "expected a reason of more than one word"),
         ("CVE-2026-1", "cve-2026-1", "ignore[0].id: expected the name of an advisory"),
+        ("reason", "status: harmless, reason", "ignore[0].status: expected affected, not_affected, fixed or under_"),
+        ("reason", "status: not_affected, reason", "'status: not_affected' and 'justification' belong together"),
+        ("reason", "justification: component_not_present, reason", "'justification' belong together"),
+        ("reason", "status: fixed, action: wait for it, reason", "'action' is for images that are affected"),
     ],
 )
 def test_a_wrong_entry_is_named_with_its_line(before: str, after: str, problem: str) -> None:
@@ -115,6 +119,21 @@ def test_an_expired_entry_ignores_nothing_and_fails_the_run(world: World) -> Non
     assert problem.startswith("scan.yaml:6:3: ignore[0]: CVE-2026-1 was ignored until 2026-11-21; look at it again")
     result = world.run(harmless(world), rules=rules(EXPIRED), whole=False)
     assert (result.images[0].outcome, result.outcome) == (Outcome.CLEAN, Outcome.POLICY_FAILED)
+
+
+@pytest.mark.parametrize(
+    ("last", "days"),
+    [("2026-11-21", None), ("2026-11-22", 0), ("2026-12-22", 30), ("2026-12-23", None)],
+)
+def test_an_entry_that_ends_soon_is_named(world: World, last: str, days: int | None) -> None:
+    """It fails nothing before its day has passed."""
+    result = world.run(base(world), rules=rules(IGNORE.replace("2027-01-31", last)))
+    if days is None:
+        assert result.ending == ()
+    else:
+        place = "scan.yaml:6:3: ignore[0]: CVE-2026-1 is ignored until"
+        assert result.ending == (f"{place} {last}, {counted(days, 'day')} from now; look at it again",)
+        assert result.outcome is Outcome.CLEAN and result.to_json()["ending"] == [*result.ending]
 
 
 def test_entries_expire_by_the_runs_date(world: World) -> None:

@@ -70,7 +70,7 @@ def test_table(capsys: pytest.CaptureFixture[str]) -> None:
     lines = capsys.readouterr().out.splitlines()
     assert lines[0] == "alpha-base-torch-cu1 amd64: policy failed: a reason (3 packages)"
     assert re.split(r"  +", lines[2]) == ["critical", "CVE-2026-2", *TORCH[:4], "stops the image"]
-    assert lines[3].endswith("alpha-base  ignored: not [reachable]")
+    assert lines[3].endswith("alpha-base  accepted: not [reachable]")
     assert lines.count("note: alpha-base: a note") == 1
     database = f"database of 2026-11-22T00:00:00Z, {STATE.digest}"
     assert lines[-3:] == ["scan.yaml:6:3: over", database, "2 images: policy failed"]

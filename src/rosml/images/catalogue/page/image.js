@@ -163,7 +163,9 @@
 
   function verdict(item) {
     if (item.fails) return el("span", { class: "bad" }, "stops the image");
-    return item.ignored ? `accepted until ${item.until}: ${item.ignored}` : "listed only";
+    if (!item.ignored) return "listed only";
+    const accepted = ["", "affected"].includes(item.status) ? "accepted" : item.status.replaceAll("_", " ");
+    return `${accepted}${item.until ? ` until ${item.until}` : ""}: ${item.ignored}`;
   }
 
   /** The worst vulnerabilities by name, folded, and how many there are beside them. */

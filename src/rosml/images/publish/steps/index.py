@@ -10,9 +10,9 @@ from functools import partial
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.base.side_by_side import side_by_side
-from rosml.images.image_set.labels import COVERED, OCI, REVISION, SBOM, SOURCE, TITLE, title
+from rosml.images.image_set.labels import COVERED, OCI, REVISION, SBOM, SOURCE, TITLE, VEX, title
 from rosml.images.image_set.model import Image, Part, repository_of
-from rosml.images.publish import provenance, same_content
+from rosml.images.publish import provenance, same_content, vex
 from rosml.images.publish.run import Run, failure
 from rosml.images.publish.steps.sign import sign
 from rosml.images.records.store import DATE, INDEX, INPUTS, Entry
@@ -26,7 +26,9 @@ def index(run: Run) -> None:
     for thing in run.state.things():
         if reason := run.state.unready(thing):
             run.add("index", thing, "waits", reason)
-        elif not _is_current(run, thing):
+        elif _is_current(run, thing):
+            vex.sign(run, thing)
+        else:
             things.append(thing)
     side_by_side(partial(_make, run), things)
     run.put_in_order(before)
@@ -52,6 +54,7 @@ def _make(run: Run, thing: Image | Part) -> None:
             inputs=inputs,
             repository=repository_of(thing),
             parts={member.architecture: member.digest for member in members},
+            vex=vex.digests(members),
             date=state.date,
         )
         reason = counted(len(members), "architecture")
@@ -121,6 +124,8 @@ def _covered(run: Run, entry: Entry) -> dict[str, dict[str, str]]:
             annotations[COVERED + target] = f"{part.repository}@{part.sbom}"
     if item.kind == "joined" and entry.sbom:
         annotations[SBOM] = f"{entry.repository}@{entry.sbom}"
+    if entry.vex:
+        annotations[VEX] = f"{entry.repository}@{entry.vex}"
     return {"annotations": annotations} if annotations else {}
 
 

@@ -13,6 +13,7 @@ from typing import Any
 from rosml.images.image_set import restricted
 from rosml.images.image_set.expand import expand
 from rosml.images.image_set.model import ImageSet
+from rosml.images.publish import vex
 from rosml.images.publish.items import Item, Key
 from rosml.images.publish.run import Outcome, Run
 from rosml.images.publish.scan_results import Results
@@ -22,6 +23,7 @@ from rosml.images.scan import judge, sarif
 from rosml.images.scan.policy import Rules
 from rosml.images.scan.sbom import Shelf
 from rosml.images.scan.trivy import ScannerFailed, Trivy
+from rosml.images.scan.vex import digest as vex_digest
 
 
 def scan(
@@ -38,12 +40,15 @@ def scan(
 
     def keep(scanned: judge.Scanned) -> None:
         key = scanned.target, scanned.architecture
-        facts = _facts(scanned, policy)
-        entry = replace(state.entries[key], scanned=scanned.outcome.value, scan=facts)
+        before = state.entries[key]
+        statements = vex.statements(scanned, before)
+        digest = before.scan.get("vex", "") if statements is None else vex_digest(statements)
+        entry = replace(before, scanned=scanned.outcome.value, scan={**_facts(scanned, policy), "vex": digest})
+        new = statements if statements and vex.is_new(before, statements) else []
         if results is None:
-            run.write(entry)
+            run.write(vex.attach(state.place, entry, new, state.date) if new else entry)
         else:
-            results.add(entry)
+            results.add(entry, new)
 
     images = _images(state, policy, _database(trivy))
     started, date, targets = time.monotonic(), _time(state.date), state.image_set.by_target
