@@ -23,12 +23,11 @@ from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.base.terminal import show, table
 from rosml.base.units import duration, size
-from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME
 from rosml.containerize.rebase import image
 from rosml.containerize.rebase.fleet import Entry, Fleet
 from rosml.containerize.rebase.rebaser import Rebaser
 from rosml.containerize.rebase.trial import Pair, Trial
-from rosml.images.image_set.labels import TITLE
+from rosml.images.image_set.labels import BASE_DIGEST, BASE_NAME, TITLE
 from rosml.images.join import facts, file_lists
 from rosml.images.join.layers import Joined, Source
 from rosml.images.join.transfer import Transfer, Transferred

@@ -20,6 +20,7 @@ SECTIONS = {
         "image": "images.image",
         "part": "images.part",
         "join": "images.join",
+        "dossier": "images.dossier",
     },
     "Publish base images": {
         "plan": "images.plan",

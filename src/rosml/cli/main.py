@@ -36,6 +36,7 @@ TRIED = {name: f"rosml setup {name}" for name in ("clean", "client", "down", "sc
     "pull": "docker pull, with a tag that rosml list prints",
     "push": "rosml publish, for base images; rosml containerize --push, for images of your packages",
     "rm": "docker rm",
+    "sbom": "rosml dossier",
     "scan": "rosml publish scan",
     "search": "rosml list",
     "shell": "rosml attach; rosml dev, for the packages of a folder",

@@ -55,6 +55,11 @@ from rosml.delivery.complete import choose, complete
 from rosml.delivery.sources import InArchive
 from rosml.images.builds import adopted, apt_sources, base_images, package_state, release_file, structure_tests, sync
 from rosml.images.catalogue import scans
+from rosml.images.dossier import fields as dossier_fields
+from rosml.images.dossier import licences, spdx_document
+from rosml.images.dossier import scan as dossier_scan
+from rosml.images.dossier.bill import Bill
+from rosml.images.dossier.evidence import Origin
 from rosml.images.image_set import labels, load, lock_file, restricted, system
 from rosml.images.image_set.apt_repository import AptRepository
 from rosml.images.join import facts, file_lists, label_claims
@@ -526,6 +531,26 @@ def sbom_of(document: bytes, folder: Path) -> object:
     return sbom.is_of(documents.DIGEST), sbom.packages, sbom.system, sbom.sources
 
 
+def dossier_of(document: bytes, folder: Path) -> object:
+    try:
+        bill = Bill.of(document)
+    except ValueError as error:
+        raise trivy.ScannerFailed(str(error), "attach another one") from None
+    fields = dossier_fields.check(bill)
+    texts = licences.of(bill, ["usr/share/doc/bash/copyright"])
+    return fields, texts, licences.listing(texts, True), spdx_document.document(bill, documents.DIGEST)
+
+
+def provenance_of(document: bytes, folder: Path) -> object:
+    content = untrusted.json_of(document, "a statement")
+    return Origin.of(content if isinstance(content, dict) else {})
+
+
+def vex_of(document: bytes, folder: Path) -> object:
+    content = untrusted.json_of(document, "VEX")
+    return dossier_scan.statuses(content if isinstance(content, dict) else {})
+
+
 def report_of(document: bytes, folder: Path) -> object:
     return judge.part_report(
         trivy.read_report(document, "alpha"), judge.Part("alpha", "registry.test", "ros", documents.DIGEST, ros=True)
@@ -776,6 +801,9 @@ PARSERS: dict[str, Parser] = {
         recorded("undo.1", lambda records: [move.to_json() for move in tag_moves.read_moves(records, "undo.1")]),
     ),
     "SBOM": Parser("json", as_json(documents.SBOM), sbom_of),
+    "SBOM of a dossier": Parser("json", as_json(documents.SBOM), dossier_of),
+    "provenance of a dossier": Parser("json", as_json({"predicate": {"buildDefinition": {"resolvedDependencies": [{"name": "a", "digest": {"sha256": "0"}}]}}}), provenance_of),
+    "VEX of a dossier": Parser("json", as_json({"statements": [{"vulnerability": {"name": "CVE-2026-1"}, "products": [{"subcomponents": [{"@id": "pkg:deb/debian/a@1"}]}]}]}), vex_of),
     "report of trivy": Parser("json", as_json(documents.REPORT), report_of),
     "database of trivy": Parser("json", as_json({"Version": 2, "UpdatedAt": "2026-11-22T00:00:00.123Z", "NextUpdate": "x"}), database_of),
     "info of an engine": Parser(

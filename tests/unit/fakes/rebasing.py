@@ -14,12 +14,11 @@ import pytest
 
 from fakes.http_registry import LocalRegistry, local_registry
 from rosml.base.errors import RosmlError
-from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.lock import Image, Lock
 from rosml.containerize.rebase import image
 from rosml.containerize.rebase.plan import Plan, Rebased
 from rosml.containerize.rebase.rebaser import Rebaser
-from rosml.images.image_set.labels import APP, REVISION, TITLE
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, LOCK, REVISION, TITLE
 from rosml.images.join import facts
 from rosml.images.join.joiner import Joiner
 from rosml.images.scan import sbom

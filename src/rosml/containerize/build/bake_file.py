@@ -17,7 +17,7 @@ from rosml.containerize.names import DESK, SLIM
 from rosml.images.builds import adopted
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.builds.push import COMPRESSION, compression
-from rosml.images.image_set.labels import APP, COMPRESSED, PREFIX, REVISION, TITLE
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, COMPRESSED, LOCK, PREFIX, REVISION, TITLE
 from rosml.machine import buildx, exported, mirrors
 from rosml.machine.services import Services
 
@@ -28,12 +28,6 @@ SCRIPTS = ROOT / "components"
 
 FOREIGN = ("scripts/containerize/workspace.sh", "scripts/containerize/test.sh")
 """Scripts that run code of the packages. Others may run a script of the repository; if that fails, they say so."""
-
-BASE_NAME = "org.opencontainers.image.base.name"
-BASE_DIGEST = "org.opencontainers.image.base.digest"
-
-LOCK = f"{PREFIX}lock"
-"""The label with an image's inputs, as in the lock file."""
 
 REPLACED = f"{PREFIX}replaced"
 """The label with what the app's packages replace of the base image. Such an app gets another base image only by a build."""

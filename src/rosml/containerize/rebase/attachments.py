@@ -11,9 +11,8 @@ from functools import cache, lru_cache
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME
 from rosml.images.builds.contents import created
-from rosml.images.image_set.labels import APP
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME
 from rosml.images.join import facts, file_lists
 from rosml.images.join.facts import Facts
 from rosml.images.join.file_lists import Lists

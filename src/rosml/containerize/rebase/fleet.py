@@ -17,11 +17,11 @@ from pydantic import Field
 from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError, some
 from rosml.base.side_by_side import side_by_side
-from rosml.containerize.build.bake_file import BASE_NAME
 from rosml.containerize.rebase import image
 from rosml.containerize.rebase.plan import Plan, Rebased
 from rosml.containerize.rebase.rebaser import Rebaser
 from rosml.containerize.rebase.trial import Pair
+from rosml.images.image_set.labels import BASE_NAME
 from rosml.images.matrix import source, validate
 from rosml.images.matrix.patterns import Facts
 from rosml.images.matrix.tags import DATED, dated

@@ -14,9 +14,9 @@ from typing import Any
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import SHOWN, listed
-from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
+from rosml.containerize.build.bake_file import REPLACED
 from rosml.containerize.lock import Lock
-from rosml.images.image_set.labels import APP, PREFIX, REVISION, TITLE
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, LOCK, PREFIX, REVISION, TITLE
 from rosml.images.join.layers import Joined, Source
 from rosml.registry import bases, oci
 

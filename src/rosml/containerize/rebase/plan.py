@@ -7,10 +7,10 @@ from dataclasses import asdict, dataclass, field
 from typing import Any
 
 from rosml.containerize.base_image.base import Base
-from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME
 from rosml.containerize.rebase.attachments import BaseContents
 from rosml.containerize.rebase.compatibility import Judgement
 from rosml.containerize.rebase.trial import Pair
+from rosml.images.image_set.labels import BASE_DIGEST, BASE_NAME
 from rosml.images.join.layers import Joined, Source
 from rosml.images.join.transfer import Transferred
 from rosml.registry import oci

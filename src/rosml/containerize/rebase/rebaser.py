@@ -12,13 +12,12 @@ from rosml.base.problems import SHOWN, listed, some
 from rosml.containerize.base_image import addons
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image.base import Base
-from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME
 from rosml.containerize.rebase import attachments, compatibility, image
 from rosml.containerize.rebase.attachments import Attachments, BaseContents
 from rosml.containerize.rebase.compatibility import Judgement, Verdict
 from rosml.containerize.rebase.plan import Member, Plan, Rebased
 from rosml.containerize.rebase.target_base import TargetBase, TargetBases
-from rosml.images.image_set.labels import ADDONS, APP, GPU, PREFIX, TITLE
+from rosml.images.image_set.labels import ADDONS, APP, BASE_DIGEST, BASE_NAME, GPU, PREFIX, TITLE
 from rosml.images.join.layers import Joined, Source, as_source, join, platform
 from rosml.images.join.transfer import Transfer
 from rosml.images.matrix.tags import DATED

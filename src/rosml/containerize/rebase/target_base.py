@@ -10,10 +10,9 @@ from rosml.base.errors import RosmlError
 from rosml.containerize import lock
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image.base import Base
-from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK
 from rosml.containerize.names import SLIM
 from rosml.containerize.rebase import image
-from rosml.images.image_set.labels import APP
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, LOCK
 from rosml.images.join.layers import Source
 from rosml.images.matrix.tags import DATED
 from rosml.machine.services import Services

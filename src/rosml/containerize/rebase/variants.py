@@ -7,11 +7,10 @@ import re
 from collections.abc import Sequence
 
 from rosml.base.errors import RosmlError
-from rosml.containerize.build.bake_file import BASE_NAME
 from rosml.containerize.rebase.image import VARIANTS
 from rosml.containerize.rebase.plan import Plan
 from rosml.containerize.rebase.rebaser import Rebaser
-from rosml.images.image_set.labels import ADDONS, PREFIX
+from rosml.images.image_set.labels import ADDONS, BASE_NAME, PREFIX
 from rosml.images.join.layers import Source
 from rosml.images.matrix.names import NONE
 from rosml.images.matrix.tags import main_tag

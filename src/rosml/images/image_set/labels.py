@@ -28,6 +28,12 @@ LICENSES = "org.opencontainers.image.licenses"
 OCI = "org.opencontainers.image."
 """The prefix of labels that an index also has as annotations."""
 
+BASE_NAME, BASE_DIGEST = f"{OCI}base.name", f"{OCI}base.digest"
+"""The labels of an image with the one below it: for an app, its base image."""
+
+LOCK = f"{PREFIX}lock"
+"""The label of an app with its inputs, as in the lock file."""
+
 BRINGS = f"{PREFIX}brings"
 """The label of a part with its software, each with its name in tags and its title: `tensorflow:tf:TensorFlow`."""
 

@@ -68,6 +68,14 @@ class Signer:
         return cls(program, identity, (), verifying, environment)
 
     @classmethod
+    def trusted(cls, root: Path, signer: str, environment: Mapping[str, str] = os.environ) -> Signer:
+        """To verify alone. `signer` is whom the caller trusts: a file with a public key, or a workflow on GitHub, `https://…`."""
+        workflow = ("--certificate-identity", signer, "--certificate-oidc-issuer", ISSUER)
+        key = ("--key", signer, "--insecure-ignore-tlog=true")
+        verifying = workflow if signer.startswith("https://") else key
+        return cls(_program(root, environment), signer, (), verifying, environment)
+
+    @classmethod
     def _with_key(cls, program: str, key: str, root: Path, environment: Mapping[str, str]) -> Signer:
         remedy = "set COSIGN_KEY to a file with a private key or to a key service, and COSIGN_PASSWORD to the file's password"
         public = _call(program, ("public-key", "--key", key), environment, "the signing key cannot be read", remedy)

@@ -34,6 +34,8 @@ class Attached:
     """Ours, by the digests of their artifacts: of the newest format; of older ones if there is no other."""
 
     ignored: tuple[Ignored, ...]
+    artifacts: tuple[str, ...] = ()
+    """The digests of the artifacts with `sboms`."""
 
     def first(self, image: str) -> Sbom:
         """The SBOM that counts. RosmlError with exit code 2 if there is none; `image` is the name in its message."""
@@ -47,7 +49,7 @@ def read(registry: Registry, repository: str, digest: str) -> Attached:
     """The SBOMs of the manifest of an image for one platform. If it is gone, there are none."""
     listed = sorted({entry["digest"] for entry in registry.referrers(repository, digest, MEDIA_TYPE)})
     ignored = [Ignored(name, f"only {MOST} are read") for name in listed[MOST:]]
-    newest, older = list[Sbom](), list[Sbom]()
+    newest, older = dict[str, Sbom](), dict[str, Sbom]()
     for name in listed[:MOST]:
         artifact = registry.manifest(repository, name)
         why = _refused(artifact, digest)
@@ -56,10 +58,11 @@ def read(registry: Registry, repository: str, digest: str) -> Attached:
             if why := _of_another(sbom, digest):
                 ignored.append(Ignored(name, why))
             else:
-                (newest if artifact.annotations.items() >= FORMAT.items() else older).append(sbom)
+                (newest if artifact.annotations.items() >= FORMAT.items() else older)[name] = sbom
         else:
             ignored.append(Ignored(name, why))
-    return Attached(tuple(newest or older), tuple(ignored))
+    ours = newest or older
+    return Attached(tuple(ours.values()), tuple(ignored), tuple(ours))
 
 
 def _refused(artifact: Manifest | None, digest: str) -> str:

@@ -18,7 +18,7 @@ from rosml.containerize.build import bake_file, dev_folder, stage_cache, step_or
 from rosml.containerize.build.result import ShellImage
 from rosml.containerize.names import DESK
 from rosml.images.builds import variables
-from rosml.images.image_set.labels import COMPRESSED
+from rosml.images.image_set.labels import BASE_DIGEST, COMPRESSED, LOCK
 from rosml.machine import git
 
 __all__ = ["robot", "services"]
@@ -46,7 +46,7 @@ def test_images_are_joined_after_the_report_is_read(robot: Robot) -> None:
     assert lines[0] == "ARG APP_TARGETARCH=$${TARGETARCH}" and "ENV TARGETARCH=$${APP_TARGETARCH}" in lines
     assert run["args"]["APP_DEFAULT_CMD"] == command.replace("${", "$${").replace("%{", "%%{")
     assert run["args"]["APP_RMW_IMPLEMENTATION"] == "rmw_zenoh_cpp"
-    assert run["labels"][bake_file.BASE_DIGEST] == digest
+    assert run["labels"][BASE_DIGEST] == digest
     assert dev["dockerfile-inline"].splitlines()[1] == "FROM workspace"
 
 
@@ -142,7 +142,7 @@ def test_a_slim_image_starts_from_the_base_image_without_compilers(robot: Robot)
     slim = robot.targets[-1]
     assert slim["contexts"]["slim"] == f"docker-image://{local}/rosml/ros@{digest}"
     assert slim["dockerfile-inline"].splitlines()[1:3] == ["FROM slim", "COPY --link --from=slim-app / /"]
-    assert slim["args"]["APP_DEFAULT_CMD"] == "true" and slim["labels"][bake_file.BASE_DIGEST] == digest
+    assert slim["args"]["APP_DEFAULT_CMD"] == "true" and slim["labels"][BASE_DIGEST] == digest
     assert robot.targets[0]["target"] == "slim-report"
 
     robot.slim_app["removed"] = ["usr/bin/less"]
@@ -294,14 +294,14 @@ def test_a_lock_file_is_written_then_followed(robot: Robot) -> None:
     assert (Path(robot.targets[0]["contexts"]["requests"]) / "renewed").exists(), "no step of an earlier build counts"
     file = robot.folder / "containerize.lock"
     assert dict(result.summary())["lock"] == str(file)
-    label = robot.targets[1]["labels"][bake_file.LOCK]
+    label = robot.targets[1]["labels"][LOCK]
     robot.put(NEWER="1")
     robot.targets.clear()
     assert robot.build().lock_file == ""
     report, run, _ = robot.targets
     requests = Path(report["contexts"]["requests"])
     assert not (requests / "renewed").exists() and (requests / "lock/amd64/apt").read_text() == "tree 2.1\n"
-    assert report["contexts"]["base"].endswith(f"@{digest}") and run["labels"][bake_file.LOCK] == label
+    assert report["contexts"]["base"].endswith(f"@{digest}") and run["labels"][LOCK] == label
     assert not (Path(report["contexts"]["target"]) / "target/containerize.lock").exists(), "it is no source"
 
     robot.put("small:1")

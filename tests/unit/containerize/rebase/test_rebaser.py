@@ -31,10 +31,10 @@ from fakes.rebasing import (
 )
 from fakes.stubs import script_of_a_build
 from rosml.base.errors import RosmlError
-from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME, LOCK, REPLACED
+from rosml.containerize.build.bake_file import REPLACED
 from rosml.containerize.lock import Image, Lock
 from rosml.containerize.rebase import image, variants
-from rosml.images.image_set.labels import ADDONS, PREFIX
+from rosml.images.image_set.labels import ADDONS, BASE_DIGEST, BASE_NAME, LOCK, PREFIX
 from rosml.images.join import facts, file_lists
 from rosml.images.scan import sbom
 from rosml.registry.answers import Answer

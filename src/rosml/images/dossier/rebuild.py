@@ -1,0 +1,51 @@
+"""How an image is made again: its lock, and the commands, as far as its labels say."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, PREFIX, REVISION, SOURCE, TITLE
+
+DISTRIBUTION = f"{PREFIX}distribution"
+
+LOCK_FILE = "containerize.lock"
+
+_WORD = re.compile(r"[A-Za-z0-9][\w.:/@+-]{0,300}")
+
+
+@dataclass(frozen=True)
+class Rebuild:
+    """Commands, and what they need besides."""
+
+    commands: tuple[str, ...]
+    notes: tuple[str, ...]
+
+
+def is_ours(labels: Mapping[str, str]) -> bool:
+    """Whether labels look like those of an image that rosml made."""
+    return bool(labels.get(APP) or labels.get(DISTRIBUTION))
+
+
+def of(labels: Mapping[str, str], has_lock: bool) -> Rebuild:
+    """The labels are a stranger's words: one that is no word of a command is left out."""
+    revision, title, source = (_word(labels.get(name, "")) for name in (REVISION, TITLE, SOURCE))
+    commands = [f"git clone {source} ."] if source.startswith("https://") else []
+    notes = ["archives drop old packages: then a build stops, or takes newer ones"]
+    commands += [f"git checkout {revision}"] if revision else []
+    if not revision:
+        notes.insert(0, "the image does not say of which commit it is")
+    if labels.get(APP):
+        name, digest = _word(labels.get(BASE_NAME, "")), _word(labels.get(BASE_DIGEST, ""))
+        base = f" --base-image {name.partition('@')[0]}@{digest}" if name and digest else ""
+        commands.append(f"rosml containerize{base}{f' --lock-file {LOCK_FILE}' if has_lock else ''}")
+        notes.insert(0, "with the inputs of the first build: they are in the repository's CI file")
+    elif title:
+        commands.append(f"./rosml image {title}")
+    return Rebuild(tuple(commands), tuple(notes))
+
+
+def _word(text: str) -> str:
+    return shlex.quote(text) if _WORD.fullmatch(text) else ""
