@@ -32,7 +32,7 @@ HOSTILE = '<img src=x onerror="document.title=1">\u202e'
 
 FILES = (
     "usr/share/doc/bash/copyright",
-    "usr/share/doc/python3/copyright",
+    "usr/share/doc/libc6",  # a link to a folder
     "usr/lib/python3/dist-packages/torch-2.10.0.dist-info/licenses/LICENSE",
     "usr/lib/python3/dist-packages/torch-2.10.0.dist-info/METADATA",
 )

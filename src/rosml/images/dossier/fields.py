@@ -214,7 +214,7 @@ _FIELDS: Sequence[_Asked] = (
 def rows(fields: Iterable[Field]) -> Iterator[tuple[str, str, str, str, str]]:
     """For a table with the columns of `COLUMNS`."""
     for it in fields:
-        asks = f"{' and '.join(it.lists)}{', if present is one' if it.optional else ''}"
+        asks = f"{' and '.join(it.lists)}{', if there is one' if it.optional else ''}"
         yield it.name, asks, f"{it.have:,} of {it.of:,}", it.percent, it.why
 
 

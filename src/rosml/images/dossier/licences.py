@@ -21,7 +21,8 @@ _OF_WHEEL = re.compile(
     re.IGNORECASE,
 )
 
-_OF_DEBIAN = re.compile(r"usr/share/doc/(?P<package>[^/]+)/copyright")
+_OF_DEBIAN = re.compile(r"usr/share/doc/(?P<package>[^/]+)(?:/copyright)?")
+"""A package's folder may be a link to that of another package from the same sources. Then a list of files names the link."""
 
 _OF_ROS = re.compile(r".*/share/(?P<package>[^/]+)/(?:LICEN[CS]E|COPYING|NOTICE|package\.xml)[^/]*")
 

@@ -223,6 +223,7 @@ def test_licences_and_their_texts(place: Shop) -> None:
     dossier = place.dossier(place.base())
     texts = {it.component: it for it in dossier.texts}
     assert texts["bash 5.2.15-2"].places == ("usr/share/doc/bash/copyright",)
+    assert texts["libc6 2.36-9"].places == ("usr/share/doc/libc6",), "a link to the folder of another package"
     assert texts["torch 2.10.0"].places[0].endswith("dist-info/licenses/LICENSE") and not texts["numpy 1.26.4"].places
     assert "the image has no text of the licences of 3 components" in dossier.missing
     listing = dossier.files["licences.txt"]
