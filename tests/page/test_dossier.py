@@ -10,7 +10,7 @@ import pytest
 
 from fakes.dossiers import HOSTILE, Shop, shop, vex
 from rosml.images.dossier import write
-from rosml.images.dossier.evidence import VEX_TYPE
+from rosml.images.scan.vex import MEDIA_TYPE as VEX_TYPE
 from tests.page.conftest import MIDDLE, NARROW, WIDE, Windows, expect, tree
 
 HEADINGS = [

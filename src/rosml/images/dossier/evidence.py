@@ -4,26 +4,25 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.images.dossier.bill import Item, items, text
-from rosml.images.image_set.labels import SBOM
+from rosml.images.image_set.labels import SBOM, VEX
 from rosml.images.join.layers import Source
 from rosml.images.publish import cosign, provenance
 from rosml.images.records.store import CREATED
+from rosml.images.scan import vex
 from rosml.registry import references
 from rosml.registry.client import Registry
 from rosml.registry.oci import Manifest
 
 BUNDLE = "application/vnd.dev.sigstore.bundle"
 """The beginning of the types of artifacts with a signature, as cosign writes them. Older ones are under a tag."""
-
-VEX_TYPE = "application/vnd.openvex+json"
 
 LARGEST = 32 << 20
 """The most bytes of a statement."""
@@ -34,7 +33,7 @@ MOST = 32
 
 @dataclass(frozen=True)
 class Statement:
-    """A document that is attached to an image. `vouched`: the image's index names it by its digest, so that its signature covers it."""
+    """A document that is attached to an image. `vouched`: a signature covers it, of the index that names it by its digest, or its own."""
 
     digest: str
     content: Item
@@ -50,17 +49,17 @@ def provenance_of(registry: Registry, image: Source) -> tuple[list[Statement], i
     return statements, len(attached - {*names})
 
 
-def vex_of(registry: Registry, image: Source) -> Statement | None:
-    """The VEX that the index names; or else the newest that is attached."""
-    attached = {entry["digest"] for entry in registry.referrers(image.repository, image.digest, VEX_TYPE)}
-    listed_by_index = {word.rpartition("@")[2] for word in image.annotations.get(VEX, "").split()}
-    if vouched := [*_statements(registry, image, sorted(attached & listed_by_index), vouched=True)]:
-        return vouched[0]
-    others = [*_statements(registry, image, sorted(attached)[:MOST], vouched=False)]
-    return max(others, key=lambda it: (it.created, it.digest), default=None)
-
-
-VEX = f"{SBOM.rpartition('.')[0]}.vex"
+def vex_of(registry: Registry, image: Source, is_signed: Callable[[str], bool]) -> Statement | None:
+    """The newest VEX that the index names, or that `is_signed` says of; else the newest that is attached. A newer VEX of an image whose
+    index stays has a signature of its own."""
+    attached = {entry["digest"] for entry in registry.referrers(image.repository, image.digest, vex.MEDIA_TYPE)}
+    covered = {word.rpartition("@")[2] for word in image.annotations.get(VEX, "").split()}
+    every = [*_statements(registry, image, sorted(attached)[:MOST], vouched=False)]
+    newest = sorted(every, key=lambda it: (it.created, it.digest), reverse=True)
+    for it in newest:
+        if it.digest in covered or is_signed(it.digest):
+            return replace(it, vouched=True)
+    return next(iter(newest), None)
 
 
 def _statements(registry: Registry, image: Source, digests: Sequence[str], vouched: bool) -> Iterator[Statement]:
@@ -150,6 +149,14 @@ def signature_of(registry: Registry, repository: str, manifest: Manifest, signer
         state = "signed, not verified" if error.remedy == cosign.INSTALL else "not verified"
         return Signature(state, f"{error.message}; {error.remedy}" if error.remedy == cosign.INSTALL else error.message)
     return Signature("verified", "cosign verified it", signer)
+
+
+def is_signed(host: str, repository: str, digest: str, signer: str, root: Path) -> bool:
+    """Whether a signer vouches for an artifact; no, if nobody is trusted or cosign is not here."""
+    try:
+        return bool(signer) and cosign.Signer.trusted(root, signer, os.environ).signed(f"{host}/{repository}@{digest}")
+    except cosign.SignerFailed:
+        return False
 
 
 def encoded(content: Item) -> str:

@@ -100,7 +100,7 @@ def gather(request: Request, transfer: Transfer) -> Dossier:
     if not rebuild.is_ours(image.labels):
         missing.append("rosml did not make this image: what rosml attaches to its images is missing")
     sbom = _sbom(dossier, registry, request)
-    _evidence(dossier, registry)
+    _evidence(dossier, registry, request)
     _support(dossier, request.matrix)
     if sbom and dossier.bill:
         _licences(dossier, registry)
@@ -163,8 +163,13 @@ def _sbom(dossier: Dossier, registry: Registry, request: Request) -> Sbom | None
     return sbom
 
 
-def _evidence(dossier: Dossier, registry: Registry) -> None:
+def _evidence(dossier: Dossier, registry: Registry, request: Request) -> None:
     image, missing = dossier.image, dossier.missing
+    place = image.host, image.repository
+
+    def is_signed(digest: str) -> bool:
+        return evidence.is_signed(*place, digest, request.signer, request.root)
+
     if answer := _tried("provenance", lambda: evidence.provenance_of(registry, image), missing):
         statements, others = answer
         dossier.origins = [Origin.of(it.content) for it in statements]
@@ -174,7 +179,7 @@ def _evidence(dossier: Dossier, registry: Registry) -> None:
             missing.append(f"{counted(others, 'statement')} of provenance that the index does not name are left out")
         if not statements:
             missing.append("provenance: the index names none, as of images that rosml publish did not make")
-    if answer_about := _tried("VEX", lambda: (evidence.vex_of(registry, image),), missing):
+    if answer_about := _tried("VEX", lambda: (evidence.vex_of(registry, image, is_signed),), missing):
         _vex(dossier, *answer_about)
     lock = _tried("lock", lambda: evidence.lock_of(image.labels, LOCK), missing)
     if lock:
@@ -190,7 +195,7 @@ def _vex(dossier: Dossier, vex: Statement | None) -> None:
     dossier.vex = vex
     dossier.files["vex.openvex.json"] = evidence.encoded(vex.content)
     if not vex.vouched:
-        dossier.missing.append("the index does not name the VEX: anyone who may push there may have made it")
+        dossier.missing.append("no signature covers the VEX: anyone who may push there may have made it")
 
 
 def _support(dossier: Dossier, matrix: Matrix) -> None:

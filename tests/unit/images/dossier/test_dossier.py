@@ -13,11 +13,12 @@ import pytest
 from fakes.dossiers import HOSTILE, NOW, Shop, components, contents, shop, vex
 from rosml.base.errors import RosmlError
 from rosml.images.dossier import page, rebuild, scan, write
-from rosml.images.dossier.evidence import VEX_TYPE
-from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, REVISION, TITLE
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, REVISION, TITLE, VEX
 from rosml.images.publish import cosign
+from rosml.images.records.store import CREATED
 from rosml.images.scan.sbom import FORMAT, LARGEST, MEDIA_TYPE
 from rosml.images.scan.trivy import Database, Report, ScannerFailed, Trivy
+from rosml.images.scan.vex import MEDIA_TYPE as VEX_TYPE
 from rosml.registry import retries
 from tests.e2e.parts import Tiny
 
@@ -198,10 +199,32 @@ def test_a_scan_with_vex(place: Shop, trivy: Trivy, tmp_path: Path) -> None:
     assert dossier.scan and dossier.scan.counts == [("high", 1)] and dossier.scan.remarks == ()
     [finding] = json.loads(dossier.files["scan.json"])["findings"]
     assert (finding["id"], finding["vex"]) == ("CVE-2026-1", "not_affected")
-    assert "the index does not name the VEX: anyone who may push there may have made it" in dossier.missing
+    assert "no signature covers the VEX: anyone who may push there may have made it" in dossier.missing
     assert json.loads(dossier.files["vex.openvex.json"])["author"] == "us"
     text = write.write(dossier, tmp_path / "out")[-1].read_text()
     assert "not_affected" in text and HOSTILE not in text
+
+
+def test_the_newest_vex_that_somebody_vouches_for(place: Shop, monkeypatch: pytest.MonkeyPatch) -> None:
+    repository, digest = place.only(place.base())
+    names = [
+        place.attach(repository, digest, VEX_TYPE, vex({**NOT_AFFECTED, "status": status}), {CREATED: created})
+        for status, created in (("affected", "2026-11-01"), ("fixed", "2026-11-02"), ("not_affected", "2026-11-03"))
+    ]
+    manifest = place.registry.manifest(repository, digest)
+    assert manifest
+    place.index(repository, "core", digest, manifest.size, {VEX: f"ros@{names[0]}"})
+    reference = f"{place.server.address}/{repository}:core"
+
+    def status_of(**more: str) -> tuple[str, bool]:
+        newest = place.dossier(reference, **more).vex
+        assert newest
+        return newest.content["statements"][0]["status"], newest.vouched
+
+    assert status_of() == ("affected", True), "the index names it"
+    monkeypatch.setattr(cosign, "_program", lambda *_: "cosign")
+    monkeypatch.setattr(cosign.Signer, "signed", lambda _, name: name.endswith(names[1]))
+    assert status_of(signer="key.pub") == ("fixed", True), "it has a signature of its own"
 
 
 def test_a_scan_older_than_a_week_is_said(place: Shop, trivy: Trivy, monkeypatch: pytest.MonkeyPatch) -> None:
