@@ -12,6 +12,7 @@ from tests import fork
 REASONS = (
     fork.REASON,
     "Docker is the builder here, and these tests start and kill a buildkitd of their own",
+    "Docker is the builder here, and somebody else may not call it",
     "Docker is the builder here, and only root may mount a file system",
     "Docker Hub answers: its base images are used",
     "this machine has only a loopback address, where a registry without certs.d speaks plain http",

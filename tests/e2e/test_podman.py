@@ -1,4 +1,4 @@
-"""`rosml run` and `rosml attach` with podman, with root and without it; what docker does is in test_contract.py."""
+"""`rosml run`, `attach`, `dev` and what they export with podman, with root and without it; what docker does is in test_contract.py."""
 
 from __future__ import annotations
 
@@ -7,13 +7,20 @@ import os
 import resource
 import shutil
 import subprocess
+import sys
 import tempfile
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import contextmanager, suppress
+from functools import partial
 from pathlib import Path
 
 import pytest
 
+from fakes import units
+from rosml import ROOT
+from rosml.machine.services import Services
+from tests.e2e import mini
+from tests.e2e.calls import wait_until
 from tests.e2e.images import Publish
 from tests.e2e.person import UID, Person, enters, starts
 
@@ -33,10 +40,12 @@ exec setpriv --reuid={UID} --regid={UID} --clear-groups "$@"
 """Makes root a user with uids of their own, for this command alone."""
 
 
-ROOT = [pytest.param("root", marks=pytest.mark.full(proof="engines"))]
+AS_ROOT = [pytest.param("root", marks=pytest.mark.full(proof="engines"))]
+GENERATOR = shutil.which("quadlet", path=f"/usr/libexec/podman:/usr/lib/podman:{os.environ['PATH']}") or ""
+OF_SYSTEMD = ("--cidfile=", "--cgroups=", "--sdnotify=")
 
 
-@pytest.fixture(params=["without root", *(ROOT if os.geteuid() == 0 else [])])
+@pytest.fixture(params=["without root", *(AS_ROOT if os.geteuid() == 0 else [])])
 def person(request: pytest.FixtureRequest) -> Iterator[Person]:
     """Who has podman, with storage that ends with the test."""
     if not shutil.which("podman") or not shutil.which("newuidmap"):
@@ -93,6 +102,94 @@ def test_an_image_starts_and_is_entered_and_moves(person: Person, published: Pub
     enters(person, image, "podman")
     has_gpu(person, image)
     moves(person, image)
+
+
+def test_exports_start(person: Person, published: Publish) -> None:
+    """podman starts the pod of `--export kubernetes`, and what systemd would start for `--export quadlet`."""
+    image, say = published(TARGET).reference, 'id -u; echo "$ROS_DISTRO"; touch made; sleep 1000'
+
+    def exported(kind: str, *words: str) -> str:
+        done = person.rosml("run", "--export", kind, "--trust", "--name", "robot", *words, image, "sh", "-c", say)
+        assert done.code == 0, done.err
+        return done.out
+
+    def says(container: str) -> None:
+        expected = [str(person.uid), "Debian"]
+        logs = partial(person.other, "podman", "logs", container)
+        wait_until(lambda: logs().out.split() == expected, 30, logs)
+
+    person.other("podman", "pull", "--quiet", "--tls-verify=false", image)
+    started = person.other("podman", *unit_words(person, exported("quadlet", "--network", "none", "--mwd")))
+    assert started.code == 0, started.err
+    says("robot")
+    assert (person.folder / "made").stat().st_uid == person.uid
+    person.other("podman", "rm", "--force", "robot")
+    (person.folder / "pod.yaml").write_text(exported("kubernetes"))
+    played = person.other("podman", "kube", "play", "--network", "none", "--tls-verify=false", "pod.yaml")
+    assert played.code == 0, played.err
+    says("robot-pod-0-robot")
+    assert person.other("podman", "kube", "down", "pod.yaml").code == 0
+
+
+def unit_words(person: Person, document: str) -> list[str]:
+    """The words of podman's `run` in the unit of a file, by podman's generator, or by its rules if this podman has none. Without
+    those that ask for systemd."""
+    if not GENERATOR:
+        return ["run", "--detach", *units.argv(document)]
+    (person.folder / "robot.container").write_text(document)
+    folders = {"QUADLET_UNIT_DIRS": str(person.folder)}
+    argv = [GENERATOR, "-user", "-no-kmsg-log", str(person.folder)]
+    subprocess.run(argv, env={**os.environ, **folders}, check=True, capture_output=True)
+    unit = (person.folder / "robot.service").read_text()
+    line = next(line for line in unit.splitlines() if line.startswith("ExecStart="))
+    words = [word for word in units.words(line.partition("=")[2])[1:] if not word.startswith(OF_SYSTEMD)]
+    return units.started(words)
+
+
+def test_a_package_is_worked_on(person: Person, published: Publish, services: Services) -> None:
+    """`rosml dev`: podman takes the image from the local registry, and what is built belongs to whoever calls."""
+    if person.become and services.builder_kind != "buildkitd":
+        pytest.skip("Docker is the builder here, and somebody else may not call it")
+    folder = person.folder / "my robot"
+    shutil.copytree(ROOT / "examples/ros1", folder)
+    with checkout(person, services, folder):
+        base = ["--network", "none", "--base-image", published(TARGET).reference]
+
+        def dev(*command: str) -> str:
+            words = [sys.executable, "-m", "rosml", "dev", *base, str(folder), "--", *command]
+            done = person.other(*words, timeout=1200)
+            assert done.code == 0, done.out + done.err
+            return done.out + done.err
+
+        assert "1 package finished" in dev("sh", "-c", "colcon build && colcon test")
+        assert "base image" not in dev("test", "-e", "build/compass"), "the image is made once"
+        assert (folder / ".rosml/dev/build/compass").stat().st_uid == person.uid
+
+
+@contextmanager
+def checkout(person: Person, services: Services, folder: Path) -> Iterator[None]:
+    """Gives a person a folder, and a checkout of theirs on our registry and builder, which they may call for a while."""
+    place = person.folder / "rosml"
+    place.mkdir()
+    mini.copy_checkout(place, "services.json")
+    config = place / ".state/buildx"
+    for name in ("auth", "buildx"):
+        (place / ".state" / name).unlink(missing_ok=True)
+        shutil.copytree(ROOT / ".state" / name, place / ".state" / name)
+    mini.use(place, buildx_config=str(config))
+    person.environment["PYTHONPATH"] = str(place / "src")
+    if not person.become:
+        yield
+        return
+    subprocess.run(["chown", "--recursive", f"{person.uid}:{person.uid}", str(place), str(folder)], check=True)
+    (node,) = json.loads((config / "instances" / services.builder).read_text())["Nodes"]
+    socket = Path(node["Endpoint"].removeprefix("unix://"))
+    mode = socket.stat().st_mode
+    socket.chmod(0o666)
+    try:
+        yield
+    finally:
+        socket.chmod(mode)
 
 
 def has_gpu(person: Person, image: str) -> None:

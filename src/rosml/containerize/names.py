@@ -26,16 +26,17 @@ DESK = "desk"
 
 
 class Names:
-    """The images that inputs ask for. `app`: the run image's name without its tag. `loads`: they go to Docker, and to no registry."""
+    """The images that inputs ask for. `app`: the run image's name without its tag. `loads`: they go to Docker, and to no registry.
+    `for_podman`: they go to the local registry, if there is one, as podman has no builder."""
 
-    def __init__(self, values: Values, folder: str, services: Services) -> None:
+    def __init__(self, values: Values, folder: str, services: Services, for_podman: bool = False) -> None:
         self._values, self._registry = values, services.registry
         self.app = _name(values.image_name or folder.lower())
         self.targets = _targets(values.target)
         if values.enable_slim and "run" in self.targets:
             self.targets += (SLIM,)
         self.platforms = listed_platforms(values.platform)
-        has_docker = services.builder_kind != "buildkitd" and shutil.which("docker") is not None
+        has_docker = services.builder_kind != "buildkitd" and not for_podman and shutil.which("docker") is not None
         self.loads = not values.push and (has_docker or not services.registry)
         self._require_place()
 

@@ -25,7 +25,7 @@ CONTAINER_ID = re.compile("[A-Za-z0-9][A-Za-z0-9_.-]*")
 IMAGE_ID = re.compile("(?:sha256:)?[0-9a-f]{64}")
 NAME_WITH_DIGEST = re.compile(r"[A-Za-z0-9][A-Za-z0-9._:/-]*@sha256:[0-9a-f]{64}")
 
-VERSION = re.compile(r"[0-9]{1,4}(?:\.[0-9]{1,4}){1,3}")
+VERSION = re.compile(r"[0-9]{1,4}(?:\.[0-9]{1,4}){0,3}")
 ZSTD = (23,)
 """The first docker that reads zstd, as `OLD_DOCKER` says."""
 PASSWD = (4, 1)

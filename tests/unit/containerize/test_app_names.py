@@ -66,6 +66,8 @@ def test_images_go_to_docker_if_there_is_one(services: Services, monkeypatch: py
         names(user, image_name=name, platform="amd64,arm64")
     with pytest.raises(RosmlError, match="robot names no registry"):
         names(dataclasses.replace(user, registry=""), image_name="robot", push="true")
+    values = app_inputs.values({"image-name": "robot"}, services.state, {})
+    assert Names(values, "robot", user, for_podman=True).reference("run").startswith(services.registry)
     monkeypatch.setattr(shutil, "which", lambda name: None)
     assert names(user, image_name="robot").reference("run").startswith(services.registry)
 

@@ -223,10 +223,11 @@ def _image(
             return record, facts
     if container.only_shown(line):
         raise RosmlError("the image of this folder is not made, or its inputs changed", "call rosml dev first")
-    engine.answering(program)
+    podman = engine.answering(program).podman
     services = containerize.services_for_builds()
     services.require_builder()
-    image = step_order.build_shell_image(step_order.new_call(folder, values, os.environ, services, say))
+    call = step_order.new_call(folder, values, os.environ, services, say, for_podman=podman)
+    image = step_order.build_shell_image(call)
     facts = engine.ask(program, image.reference, "")
     if facts.image is None and image.loaded:
         text = f"the image is in Docker, and {program} does not have it"

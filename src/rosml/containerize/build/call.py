@@ -65,10 +65,11 @@ def new_call(
     services: Services,
     say: Callable[[str], None],
     renew: bool = False,
+    for_podman: bool = False,
 ) -> Call:
-    """Checks the values of a call, and completes it."""
+    """Checks the values of a call, and completes it. `for_podman`: see `Names`."""
     lock_file = lock.place(folder, values.lock_file, renew)
-    names = Names(values, folder.name, services)
+    names = Names(values, folder.name, services, for_podman)
     if "run" in names.targets and not values.command:
         remedy = "add --command 'ros2 launch …', or --target dev; rosml init proposes one"
         raise RosmlError("there is no command for the run image", remedy, exit_code=2)

@@ -17,7 +17,7 @@ import pytest
 from click.testing import CliRunner
 
 import rosml
-from fakes.desks import OURS, Desk
+from fakes.desks import OURS, PODMAN, Desk
 from fakes.stubs import executable, script_of_a_build
 from rosml.base.errors import RosmlError
 from rosml.cli import main
@@ -40,6 +40,7 @@ class Place:
         self.folder, self.desk = tmp_path / "my robot", Desk(tmp_path)
         self.builds = 0
         self.loaded = True  # the image goes to Docker, or else to a registry
+        self.for_podman = False
         self.commands: list[Sequence[str]] = []  # the engine's commands that the calls became
         self.stderr = ""
 
@@ -47,7 +48,8 @@ class Place:
     def image(self) -> str:
         return dev_folder.image_name(self.folder) + (":latest" if self.loaded else "@sha256:1")
 
-    def new_call(self, folder: Path, values: Any, *_: object) -> None:
+    def new_call(self, folder: Path, values: Any, *_: object, for_podman: bool) -> None:
+        self.for_podman = for_podman
         assert (folder, values.image_name, values.push) == (self.folder, dev_folder.image_name(folder), False)
 
     def build(self, _: object) -> ShellImage:
@@ -167,6 +169,15 @@ def test_an_image_of_the_local_registry_is_pulled_by_its_digest(place: Place) ->
     place.loaded = False
     assert place.call()[-1] == place.image
     assert ["docker", "pull", place.image] in place.desk.calls
+
+
+def test_podman_gets_it_from_the_local_registry(place: Place) -> None:
+    """Also if Docker is the builder."""
+    place.call()
+    assert not place.for_podman
+    place.desk.engine(info=PODMAN, images={})
+    place.call("--build")
+    assert place.for_podman
 
 
 def test_an_image_that_another_engine_has_is_not_pulled(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
