@@ -15,6 +15,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
 
+from rosml import user_cache
 from rosml.base import untrusted, web
 from rosml.base.errors import RosmlError
 from rosml.base.file_lock import holder, turn
@@ -224,7 +225,9 @@ def _turn(services: Services, shares: str) -> Iterator[None]:
     if not shares:
         yield
         return
-    file = (services.buildx_config or services.state) / "turns" / f"{services.builder}-{shares}"
+    # All checkouts have Docker's own builder.
+    place = user_cache() if services.is_docker_itself else services.buildx_config or services.state
+    file = place / "turns" / f"{services.builder}-{shares}"
     progress, started, others = BuildProgress(sys.stderr), time.monotonic(), False
 
     def say() -> None:

@@ -151,17 +151,24 @@ def test_runs_in_the_checkout_with_no_input(tmp_path: Path, registry: str, bake:
     assert metadata == {"cwd": str(tmp_path), "input": "", "builder": "rosml"}
 
 
+@pytest.mark.parametrize("kind", ["docker", "engine"])
 def test_builds_that_share_steps_take_turns(
-    tmp_path: Path, registry: str, bake: Bake, capfd: pytest.CaptureFixture[str]
+    tmp_path: Path,
+    registry: str,
+    bake: Bake,
+    capfd: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    kind: str,
 ) -> None:
-    """Two checkouts, one builder: each build has ended before the next one begins."""
+    """Two checkouts, one builder: each build has ended before the next one begins. All have Docker's own."""
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     bake = replace(bake, shares="parts")
-    shared = tmp_path / "buildx-config"
     roots = [tmp_path / name for name in ("one", "other")]
 
     def build(root: Path) -> None:
         text = f"echo begin >>{tmp_path}/order; sleep 0.3; echo end >>{tmp_path}/order"
-        builder.run(having(root, registry, text, buildx_config=str(shared)), bake)
+        config = root if kind == "engine" else tmp_path / "buildx-config"
+        builder.run(having(root, registry, text, buildx_config=str(config), builder_kind=kind), bake)
 
     before = builder.waited()
     for root in roots:
