@@ -226,8 +226,8 @@ def _image(
     podman = engine.answering(program).podman
     services = containerize.services_for_builds()
     services.require_builder()
-    call = step_order.new_call(folder, values, os.environ, services, say, for_podman=podman)
-    image = step_order.build_shell_image(call)
+    call = step_order.new_call(folder, values, os.environ, services, say)
+    image = step_order.build_shell_image(call.for_podman() if podman else call)
     facts = engine.ask(program, image.reference, "")
     if facts.image is None and image.loaded:
         text = f"the image is in Docker, and {program} does not have it"

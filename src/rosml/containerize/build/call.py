@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import monotonic
 
@@ -38,6 +38,10 @@ class Call:
         """The folder of test reports, in which `results` has the packages' own; one for each platform if there are several."""
         return self.state / "report"
 
+    def for_podman(self) -> Call:
+        """The same call with an image for podman, as `Names` says."""
+        return replace(self, names=Names(self.values, self.folder.name, self.services, for_podman=True))
+
     def turn(self) -> contextlib.AbstractContextManager[int]:
         self.state.mkdir(parents=True, exist_ok=True)
         file, waiting = self.state / "lock", f"waiting for another call that makes {self.names.app}"
@@ -65,11 +69,10 @@ def new_call(
     services: Services,
     say: Callable[[str], None],
     renew: bool = False,
-    for_podman: bool = False,
 ) -> Call:
-    """Checks the values of a call, and completes it. `for_podman`: see `Names`."""
+    """Checks the values of a call, and completes it."""
     lock_file = lock.place(folder, values.lock_file, renew)
-    names = Names(values, folder.name, services, for_podman)
+    names = Names(values, folder.name, services)
     if "run" in names.targets and not values.command:
         remedy = "add --command 'ros2 launch …', or --target dev; rosml init proposes one"
         raise RosmlError("there is no command for the run image", remedy, exit_code=2)

@@ -48,12 +48,13 @@ class Place:
     def image(self) -> str:
         return dev_folder.image_name(self.folder) + (":latest" if self.loaded else "@sha256:1")
 
-    def new_call(self, folder: Path, values: Any, *_: object, for_podman: bool) -> None:
-        self.for_podman = for_podman
+    def new_call(self, folder: Path, values: Any, *_: object) -> SimpleNamespace:
         assert (folder, values.image_name, values.push) == (self.folder, dev_folder.image_name(folder), False)
 
-    def build(self, _: object) -> ShellImage:
-        self.builds += 1
+        return SimpleNamespace(for_podman=lambda: "podman")
+
+    def build(self, call: object) -> ShellImage:
+        self.builds, self.for_podman = self.builds + 1, call == "podman"
         image = {self.image: OURS}
         self.desk.engine(images=image if self.loaded else {}, registry={} if self.loaded else image)
         return ShellImage(self.image, self.loaded)
