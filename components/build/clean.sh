@@ -5,6 +5,8 @@
 #   SOURCE_DATE_EPOCH  the time that what was made since then gets, in seconds since 1970
 set -euo pipefail
 
+"$(dirname "${BASH_SOURCE[0]}")/deb_hashes.sh" /usr/local/share/rosml/debs.txt
+
 rm -rf /var/lib/apt/lists/* /var/cache/apt/* \
   /var/cache/debconf/*-old /var/lib/dpkg/*-old /var/cache/ldconfig/aux-cache \
   /etc/passwd- /etc/group- /etc/shadow- /etc/gshadow-

@@ -24,7 +24,7 @@ import stat
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, Container, Sequence
+from typing import Any, Container, Mapping, Sequence
 
 import contents
 import lacking
@@ -34,7 +34,7 @@ from facts import shown, write_app
 LEFT_OUT = re.compile(
     r"etc/ld\.so\.cache|etc/(passwd|group|shadow|gshadow|subuid|subgid)-|(etc|var/lib/dbus)/machine-id"
     r"|var/lib/dpkg/(?!status\.d).*|var/lib/apt/.*|var/cache/(apt|debconf|ldconfig|man)(/.*)?|(var/)?tmp/.*"
-    r"|(run|proc|sys|dev)/.*|usr/local/share/rosml/pip\.lock"
+    r"|(run|proc|sys|dev)/.*|usr/local/share/rosml/(debs\.txt|pip\.lock)"
 )
 """What differs and belongs to no app: the state of dpkg and apt, caches, backups, a machine's identity."""
 
@@ -183,9 +183,17 @@ def packages(base: Path, runtime: Path, root: Path) -> dict[str, list[str]]:
         copy(runtime, STATUS, root)
         (root / STATUS).unlink()
         folder.mkdir()
+        digests = contents.deb_digests(str(runtime / contents.DEBS))
         for name in facts["packages"]:
-            (folder / name.partition(":")[0]).write_text(installed[name], encoding="utf-8")
+            (folder / name.partition(":")[0]).write_text(with_digest(installed[name], digests), encoding="utf-8")
     return facts
+
+
+def with_digest(text: str, digests: Mapping[tuple[str, ...], str]) -> str:
+    """An entry of dpkg's database with the hash of the package's archive, by the name that it has in apt's lists."""
+    fields = dict(re.findall(r"^(Package|Architecture|Version): (.*)$", text, re.MULTILINE))
+    digest = digests.get((fields["Package"], fields["Architecture"], fields.get("Version", "")))
+    return f"{text}SHA{len(digest) * 4}: {digest}\n" if digest else text
 
 
 def built_packages(install: Path) -> list[str]:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import contextlib
 import functools
 import gzip
+import hashlib
 import json
 import os
 import re
@@ -32,6 +33,24 @@ LARGEST = 1 << 20
 
 LINKS = 4
 """How many links lead to a copyright file at most."""
+
+DEBS = "usr/local/share/rosml/debs.txt"
+"""The hashes of packages' archives, as components/build/deb_hashes.sh notes them: name, architecture, version, hash."""
+
+FOLDER = re.compile(r"(docker-ros/ws/install/([^/]+))/share/\2/package\.xml")
+"""What says that a folder has one ROS package alone."""
+
+HASHED = 256 << 20
+"""The most bytes of a ROS package that are read for its hash: some bring models."""
+
+DIGEST = re.compile(r"[0-9a-f]{64}|[0-9a-f]{128}")
+"""SHA-256 or SHA-512."""
+
+NAME = re.compile(r"[^/\s\x00-\x1f]")
+"""What a package's name has, or no SBOM can name it."""
+
+LONGEST, MOST = 10_000, 1_000
+"""The most characters of what a package says, and the most licences and requirements."""
 
 EMPTY_SLOT = re.compile(r".*/rosml/constraints\.d/[^/]+")
 """An empty one is nobody's: a part may fill it."""
@@ -95,13 +114,31 @@ def status(root: Path) -> dict[str, str]:
 
 def packages(paths: dict[str, str], entries: Iterable[str], others: Container[str]) -> dict[str, Any]:
     """The packages of an image with these files. `entries`: of its packages, as dpkg has them. `others`: files of these packages."""
-    python = [Path(place) for path, place in paths.items() if PYTHON.fullmatch(path) and path not in others]
+    python = [path for path in paths if PYTHON.fullmatch(path) and path not in others]
+    digests, folders = deb_digests(paths.get(DEBS, "")), _folders(paths)
     return {
         "system": _system(paths),
-        "apt": _sorted(_debian(text, paths) for text in [*entries, *brought(paths)]),
-        "python": _sorted(map(_python, python)),
-        "ros": _sorted(_ros(Path(place)) for path, place in paths.items() if ROS.fullmatch(path)),
+        "apt": _sorted(_debian(text, paths, digests) for text in [*entries, *brought(paths)]),
+        "python": _sorted(_python(path, paths) for path in python),
+        "ros": _sorted(_ros(path, paths, folders) for path in paths if ROS.fullmatch(path)),
     }
+
+
+def deb_digests(place: str) -> dict[tuple[str, ...], str]:
+    """The hashes of archives by name, architecture and version; none if there is no such file."""
+    lines = (line.split(" ") for line in _text(place).split("\n"))
+    return {tuple(words[:3]): words[3] for words in lines if len(words) == 4 and DIGEST.fullmatch(words[3])}
+
+
+def _folders(paths: Mapping[str, str]) -> dict[str, list[str]]:
+    """The files of each folder of the install space that has one ROS package alone, without links, by path."""
+    matches = (FOLDER.fullmatch(path) for path in paths)
+    folders: dict[str, list[str]] = {match.group(1): [] for match in matches if match}
+    for path in sorted(paths) if folders else ():
+        folder = "/".join(path.split("/", 4)[:4])
+        if folder in folders and _is_regular(paths[path]):
+            folders[folder].append(path)
+    return folders
 
 
 def write(paths: dict[str, str], entries: Iterable[str], others: Container[str], out: Path) -> None:
@@ -128,18 +165,19 @@ def _system(paths: dict[str, str]) -> dict[str, str]:
     place = Path(paths.get("usr/lib/os-release", "/dev/null"))
     text = place.read_text("utf-8", "replace") if place.is_file() else ""
     fields = {name: value.strip("\"'") for name, value in re.findall(r"^(\w+)=(.*)$", text, re.MULTILINE)}
-    return {"name": fields.get("ID", ""), "version": fields.get("VERSION_ID", "")}
+    return {"name": fields.get("ID", ""), "version": fields.get("VERSION_ID", ""), "vendor": fields.get("NAME", "")}
 
 
 _OF_DEBIAN = re.compile(
-    r"^(Package|Architecture|Version|Source|Maintainer|Depends|Pre-Depends|Provides): (.*)$", re.MULTILINE
+    r"^(Package|Architecture|Version|Source|Maintainer|Depends|Pre-Depends|Provides|SHA256|SHA512): (.*)$", re.MULTILINE
 )
 
 
-def _debian(text: str, paths: Mapping[str, str]) -> dict[str, Any]:
+def _debian(text: str, paths: Mapping[str, str], digests: Mapping[tuple[str, ...], str]) -> dict[str, Any]:
     fields = dict(_OF_DEBIAN.findall(text))
     if not fields.keys() >= {"Package", "Architecture", "Version"}:
         return {}
+    key = (fields["Package"], fields["Architecture"], fields["Version"])
     source, _, version = fields.get("Source", "").partition(" ")
     return {
         "name": fields["Package"],
@@ -151,6 +189,7 @@ def _debian(text: str, paths: Mapping[str, str]) -> dict[str, Any]:
         "depends": ", ".join(filter(None, (fields.get("Pre-Depends"), fields.get("Depends")))),
         "provides": fields.get("Provides", ""),
         "licenses": licenses(copyright_text(fields["Package"], paths)),
+        "digest": fields.get("SHA512") or fields.get("SHA256") or digests.get(key, ""),
     }
 
 
@@ -161,17 +200,27 @@ def copyright_text(package: str, paths: Mapping[str, str]) -> str:
         folder = os.path.dirname(path)
         at = next((place for place in (path, folder) if os.path.islink(paths.get(place, ""))), "")
         if not at:
-            return _text(paths.get(path, ""))
+            text = _text(paths.get(path, ""))
+            return text if len(text) < LARGEST else ""
         target = os.path.join("/", os.path.dirname(at), os.readlink(paths[at]), os.path.relpath(path, at))
         path = os.path.normpath(target).lstrip("/")
     return ""
 
 
-def _text(place: str) -> str:
-    """The text of a file; empty if there is none, or it has more than we read."""
-    if not os.path.isfile(place) or os.path.islink(place) or os.path.getsize(place) > LARGEST:
-        return ""
-    return Path(place).read_text("utf-8", "replace")
+def _text(place: str, encoding: str = "utf-8") -> str:
+    return _bytes(place).decode(encoding, "replace").replace("\r\n", "\n")
+
+
+def _bytes(place: str) -> bytes:
+    """The beginning of a file, as far as we read; empty if there is none, or it is a link, which may lead outside."""
+    if not _is_regular(place):
+        return b""
+    with open(place, "rb") as file:
+        return file.read(LARGEST)
+
+
+def _is_regular(place: str) -> bool:
+    return os.path.isfile(place) and not os.path.islink(place)
 
 
 def licenses(text: str) -> list[str]:
@@ -182,21 +231,58 @@ def licenses(text: str) -> list[str]:
     return sorted({name.strip() for name in re.findall(r"^License:[ \t]*(\S.*)$", text, re.MULTILINE)})
 
 
-def _python(place: Path) -> dict[str, Any]:
-    if not place.is_file():  # a link that leads nowhere, or a folder
-        return {}
-    fields = HeaderParser().parsestr(place.read_text("utf-8-sig", "replace"))
+def _python(path: str, paths: Mapping[str, str]) -> dict[str, Any]:
+    fields = HeaderParser().parsestr(_text(paths[path], "utf-8-sig"))
     first = {name: str(fields.get(name, "")).strip() for name in ("Name", "Version", *AUTHORS, *LICENSES)}
     if not first["Name"] or not first["Version"]:
         return {}
     classifiers = [str(text) for text in fields.get_all("Classifier", []) if str(text).startswith("License ::")]
+    folder = os.path.dirname(path) if path.endswith(("/METADATA", "/PKG-INFO")) else path
+    record = f"{folder}/RECORD"
     return {
         "name": first["Name"],
         "version": first["Version"],
         "author": next((first[name] for name in AUTHORS if first[name]), ""),
         "licenses": [text for text in (*(first[name] for name in LICENSES), *classifiers) if text],
         "requires": [str(text) for text in fields.get_all("Requires-Dist", [])],
+        "file": wheel(os.path.basename(folder), _text(paths.get(f"{folder}/WHEEL", ""))),
+        "record": record if record in paths else "",
+        "digest": sha512(paths.get(record, "")),
     }
+
+
+def wheel(folder: str, text: str) -> str:
+    """The file name of a wheel by what its folder's WHEEL says; that of the folder if several names would say the same.
+
+    A name has all values of a tag, by name; maturin has them as in WHEEL: https://packaging.python.org/specifications/platform-compatibility-tags/
+    """
+    tags = [tag.split("-") for tag in re.findall(r"^Tag: (\S+)$", text, re.MULTILINE)]
+    if not tags or any(len(tag) != 3 for tag in tags) or not folder.endswith(".dist-info"):
+        return folder
+    values = [list(dict.fromkeys(tag[place] for tag in tags)) for place in range(3)]
+    if any(value != sorted(value) for value in values) and not re.search("^Generator: maturin", text, re.MULTILINE):
+        return folder
+    build = re.findall(r"^Build: (\S+)$", text, re.MULTILINE)[:1]
+    return "-".join([folder[: -len(".dist-info")], *build, *map(".".join, values)]) + ".whl"
+
+
+def sha512(place: str) -> str:
+    """The hash of a file; empty if there is none, or it is a link."""
+    if not _is_regular(place):
+        return ""
+    state = hashlib.sha512()
+    with open(place, "rb") as file:
+        for block in iter(lambda: file.read(1 << 20), b""):
+            state.update(block)
+    return state.hexdigest()
+
+
+def sha512_of_all(files: Sequence[str], paths: Mapping[str, str]) -> str:
+    """The hash of what sha512sum says of files; empty if there are none, or too much to read."""
+    if not files or sum(os.path.getsize(paths[path]) for path in files) > HASHED:
+        return ""
+    lines = (f"{sha512(paths[path])}  {path}\n" for path in files)
+    return hashlib.sha512(os.fsencode("".join(lines))).hexdigest()
 
 
 AUTHORS = ("Author", "Author-email", "Maintainer", "Maintainer-email")
@@ -204,22 +290,25 @@ LICENSES = ("License-Expression", "License")
 """Fields of a wheel, the most telling first: https://packaging.python.org/specifications/core-metadata/"""
 
 
-def _ros(place: Path) -> dict[str, Any]:
+def _ros(path: str, paths: Mapping[str, str], folders: Mapping[str, list[str]]) -> dict[str, Any]:
+    text = _bytes(paths[path])
     try:
-        root = ElementTree.parse(str(place)).getroot()
-    except (ElementTree.ParseError, LookupError, ValueError, OSError):
+        root = ElementTree.fromstring(b"" if b"<!ENTITY" in text else text)  # some need all memory
+    except (ElementTree.ParseError, LookupError, ValueError):
         return {}
     fields = [(item.tag.rpartition("}")[2], (item.text or "").strip()) for item in root if isinstance(item.tag, str)]
     first = dict(fields[::-1])
-    name = first.get("name", "")
-    if not name:
-        return {}
+    folder = FOLDER.fullmatch(path)
+    files = folders.get(folder.group(1), []) if folder else []
     return {
-        "name": name,
+        "name": first.get("name", ""),
         "version": first.get("version", ""),
         "maintainer": first.get("maintainer", ""),
         "licenses": [text for tag, text in fields if tag == "license" and text],
         "depends": sorted({text for tag, text in fields if text and tag in NEEDS}),
+        "folder": folder.group(1) if folder else "",
+        "executable": any(os.access(paths[path], os.X_OK) for path in files),
+        "digest": sha512_of_all(files, paths),
     }
 
 
@@ -229,8 +318,16 @@ NEEDS = ("depend", "run_depend", "exec_depend", "build_export_depend")
 
 def _sorted(items: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     """Each once, without those that say nothing."""
-    by_name = {(item["name"], item["version"], item.get("architecture", "")): item for item in items if item}
+    named = [_limited(item) for item in items if NAME.search(item.get("name", ""))]
+    by_name = {(item["name"], item["version"], item.get("architecture", "")): item for item in named}
     return [by_name[name] for name in sorted(by_name)]
+
+
+def _limited(item: dict[str, Any]) -> dict[str, Any]:
+    """A package without what nobody reads: strangers wrote it."""
+    lists = {key: [text[:LONGEST] for text in value[:MOST]] for key, value in item.items() if isinstance(value, list)}
+    texts = {key: value[:LONGEST] for key, value in item.items() if isinstance(value, str)}
+    return {**item, **lists, **texts}
 
 
 def main(root: Path, out: Path) -> None:

@@ -83,3 +83,60 @@ def test_what_apt_cannot_resolve_is_left_to_it(tmp_path: Path, kept: Path) -> No
 
 def test_a_builder_without_the_folder_downloads(tmp_path: Path) -> None:
     assert run(tmp_path, "take_kept liba; keep") == ""
+
+
+# ---- Hashes of installed packages, for SBOMs -------------------------------------------------------------------------
+
+HASHES = ROOT / "components/build/deb_hashes.sh"
+LISTS = f"""Package: bash
+Version: 5
+Architecture: amd64
+SHA256: {"a" * 64}
+Description: a shell
+ SHA256: of nothing
+
+Package: bash
+Version: 6
+Architecture: amd64
+SHA256: {"b" * 64}
+
+Package: tzdata
+Version: 1
+Architecture: all
+SHA512: {"c" * 128}
+SHA256: {"d" * 64}
+
+Package: odd
+Version: 1
+Architecture: all
+
+"""
+
+
+def note_hashes(tmp_path: Path, installed: str, lists: str) -> list[str]:
+    """The lines that the script leaves. `lists` are those of apt in this step; empty if it has none."""
+    (tmp_path / "lists").mkdir(exist_ok=True)
+    for file in (tmp_path / "lists").iterdir():
+        file.unlink()
+    if lists:
+        (tmp_path / "lists/x_main_Packages.lz4").write_text(lists)
+    executable(tmp_path / "apt-helper", 'shift && cat "$@"')
+    executable(tmp_path / "dpkg-query", f"cat <<'.'\n{installed}.")
+    text = HASHES.read_text().replace("/var/lib/apt/lists", f"{tmp_path}/lists")
+    script = tmp_path / "deb_hashes.sh"
+    script.write_text(text.replace("/usr/lib/apt/apt-helper", f"{tmp_path}/apt-helper"))
+    file = tmp_path / "share/debs.txt"
+    env = {"PATH": f"{tmp_path}:{os.environ['PATH']}"}
+    subprocess.run(["bash", script, file], env=env, check=True)
+    return file.read_text().splitlines() if file.exists() else []
+
+
+def test_the_hashes_of_installed_packages(tmp_path: Path) -> None:
+    """The best one that lists have; kept when they name another release, gone with the package."""
+    installed = "installed bash amd64 5\nconfig-files gone all 1\ninstalled tzdata all 1\ninstalled odd all 1\n"
+    lines = [f"bash amd64 5 {'a' * 64}", f"tzdata all 1 {'c' * 128}"]
+    assert note_hashes(tmp_path, installed, "") == []
+    assert note_hashes(tmp_path, installed, LISTS) == lines
+    assert note_hashes(tmp_path, installed, LISTS.partition("\n\n")[2]) == lines
+    assert note_hashes(tmp_path, "installed tzdata all 1\n", "") == lines, "a step without lists changes nothing"
+    assert note_hashes(tmp_path, "installed tzdata all 1\n", LISTS) == lines[1:]

@@ -13,6 +13,7 @@ from typing import Any
 from rosml.base.errors import RosmlError
 from rosml.images.builds.contents import created
 from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME
+from rosml.images.image_set.lock_file import package_name
 from rosml.images.join import facts, file_lists
 from rosml.images.join.facts import Facts
 from rosml.images.join.file_lists import Lists
@@ -198,17 +199,12 @@ def _is_of_app(app_facts: Facts) -> Callable[[Mapping[str, Any]], bool]:
     apt = {(package.name, package.version) for package in app_facts.packages}
     paths = (*app_facts.files, *(path for package in app_facts.packages for path in package.files))
     matches = (_PYTHON.fullmatch(path) for path in paths if "-info" in path)
-    python = {(normalized(match[1]), match[2]) for match in matches if match}
+    python = {(package_name(match[1]), match[2]) for match in matches if match}
 
     def is_own(component: Mapping[str, Any]) -> bool:
         purl, name, version = (str(component.get(key, "")) for key in ("purl", "name", "version"))
         if purl.startswith("pkg:deb/"):
             return (name, version) in apt
-        return purl.startswith("pkg:generic/ros/") or (normalized(name), version) in python
+        return purl.startswith("pkg:generic/ros/") or (package_name(name), version) in python
 
     return is_own
-
-
-def normalized(name: str) -> str:
-    """The name of a package of Python as all its spellings come to."""
-    return re.sub("[-_.]+", "-", name).lower()

@@ -11,10 +11,11 @@ from enum import IntEnum
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
-from rosml.containerize.rebase.attachments import BaseContents, normalized
+from rosml.containerize.rebase.attachments import BaseContents
 from rosml.containerize.rebase.debian import Budget, PackageSet, relations
 from rosml.containerize.rebase.image import AGAIN
 from rosml.images.image_set.labels import PREFIX
+from rosml.images.image_set.lock_file import package_name
 from rosml.images.join import facts as join_facts
 from rosml.images.join.facts import Facts, Library
 from rosml.images.join.layers import Source
@@ -172,7 +173,7 @@ def _missing_python(app: Facts, files: Iterable[str]) -> Iterator[Reason]:
         if item.module not in modules:
             yield f"{item.file} imports {item.module}, which the base image lacks", Verdict.BUILD
     matches = map(_DISTRIBUTION.search, files if app.asks_pip else ())
-    distributions = {normalized(match[1]) for match in matches if match}
+    distributions = {package_name(match[1]) for match in matches if match}
     for name in app.asks_pip:
         if name not in distributions:
             yield f"the app asked pip for {name}, which the base image lacks", Verdict.BUILD

@@ -24,7 +24,7 @@ from rosml.registry.client import Registry
 from rosml.registry.documents import Config
 from rosml.registry.oci import Manifest
 
-FORMAT = "sbom.v2"
+FORMAT = "sbom.v3"
 """What is attached beside the SBOM and the list of files. With another one, all images are described again, without a build."""
 
 PACKAGES = "packages.json"

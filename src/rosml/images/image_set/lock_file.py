@@ -31,8 +31,8 @@ def versions(text: str) -> dict[str, str]:
 
 
 def package_name(requirement: str) -> str:
-    """``tensorflow_cpu[x]==2.20.0`` -> ``tensorflow-cpu``, as uv spells it."""
-    return re.sub(r"[-_.]+", "-", re.split(r"[\[=<>!~;\s]", requirement, maxsplit=1)[0]).lower()
+    """``tensorflow_cpu[x]==2.20.0`` -> ``tensorflow-cpu``: https://packaging.python.org/specifications/name-normalization/"""
+    return re.sub(r"[-_.]+", "-", re.split(r"[\[(=<>!~;@\s]", requirement.strip(), maxsplit=1)[0]).lower()
 
 
 def cuda_packages(cuda: str) -> Iterator[tuple[str, str]]:

@@ -7,34 +7,34 @@ import uuid
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
-from email.utils import parseaddr
 from typing import Any
 
 from cyclonedx.model import ExternalReference, Property, XsUri
 from cyclonedx.model.bom import Bom, BomMetaData
 from cyclonedx.model.component import Component, ComponentType
 from cyclonedx.model.contact import OrganizationalContact, OrganizationalEntity
-from cyclonedx.model.dependency import Dependency
 from cyclonedx.model.license import DisjunctiveLicense, License, LicenseExpression
 from cyclonedx.model.tool import ToolRepository
 from cyclonedx.output.json import JsonV1Dot6
+from cyclonedx.schema.schema import SchemaVersion1Dot6
 from packageurl import PackageURL
 
 from rosml import __version__
 from rosml.base import untrusted
-from rosml.images.scan import spdx
+from rosml.images.image_set.lock_file import package_name
+from rosml.images.scan import deployed, needs, spdx
+from rosml.images.scan.deployed import Deployed
 from rosml.images.scan.packages import Apt, Packages, Python, Ros, System
 from rosml.images.scan.sbom import Sbom
 from rosml.registry import oci
 
-FILENAME = "bsi:component:filename"
-"""The property with the name of the file that was installed: https://github.com/BSI-Bund/tr-03183-cyclonedx-property-taxonomy"""
-
 PART = "io.rosml.part"
 """The property of a component of a joined image with the name of the part that has it."""
 
-LONGEST = 200
+LONGEST_NAME = 200
 """The most characters of a person's name."""
+
+_PERSON = re.compile(r'\s*"?([^"<>]*[^"<>\s])"?\s*<([^<>@\s]{1,100}@[^<>@\s]{1,100})>')
 
 
 @dataclass(frozen=True)
@@ -69,24 +69,18 @@ def document(
         authors=[OrganizationalContact(name="rosml")],
     )
     components = _Components(contents, of_ros)
-    every = [*components.all()]
-    bom = Bom(
-        components=every,
-        metadata=about,
-        serial_number=serial(reference),
-        dependencies=[_needs(image, every), *(_needs(component, needs) for component, needs in components.needs())],
-    )
-    return JsonV1Dot6(bom).output_as_string().encode()
+    empty = Bom(metadata=about, serial_number=serial(reference))
+    # Each for itself: Bom compares all with all.
+    texts = (it.as_json(SchemaVersion1Dot6) for it in components.all())  # type: ignore[attr-defined] # a decorator adds it
+    written = map(untrusted.json_value, texts)
+    by_ref = {component["bom-ref"]: component for component in written}
+    whole = untrusted.json_value(JsonV1Dot6(empty).output_as_string())
+    return oci.encoded(needs.completed(whole, by_ref, components.needs()))
 
 
 def serial(reference: str) -> uuid.UUID:
     """The serial number of an image's SBOM, by which other documents name its components."""
     return uuid.uuid5(uuid.NAMESPACE_URL, reference)
-
-
-def _needs(component: Component, needs: Iterable[Component]) -> Dependency:
-    """What a component needs. Bom's own method looks through all dependencies for each of them."""
-    return Dependency(component.bom_ref, [Dependency(need.bom_ref) for need in needs])
 
 
 def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]]) -> bytes:
@@ -95,26 +89,22 @@ def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]]) ->
     Args:
         sboms: those of the parts, each with the part's name. Its components get the name as a property, unless it is empty or they have one.
     """
-    components, needs = dict[str, dict[str, Any]](), dict[str, set[str]]()
+    components, needed = dict[str, dict[str, Any]](), dict[str, set[str]]()
     for part, sbom in sboms:
         for component in sbom.components:
-            components.setdefault(str(component["bom-ref"]), _of_part(component, part))
+            ref = str(component["bom-ref"])
+            components.setdefault(ref, _of_part(component, part))
+            needed.setdefault(ref, set()).update(needs.of(component))
         for dependency in sbom.document.dependencies:
-            needs.setdefault(dependency.ref, set()).update(dependency.dependsOn)
+            needed.setdefault(dependency.ref, set()).update(dependency.dependsOn)
     empty = Packages(system=System(name="", version=""), apt=[], python=[], ros=[])
     whole = untrusted.json_value(document(empty, reference, created))
-    needs = {
-        reference: {*components},
-        **{ref: refs & components.keys() for ref, refs in needs.items() if ref in components},
-    }
-    whole["components"] = [components[ref] for ref in sorted(components)]
-    whole["dependencies"] = [{"ref": ref, "dependsOn": sorted(refs)} for ref, refs in sorted(needs.items())]
-    return oci.encoded(whole)
+    return oci.encoded(needs.completed(whole, components, needed))
 
 
 def _of_part(component: dict[str, Any], part: str) -> dict[str, Any]:
-    properties = component.get("properties", [])
-    if not part or any(it.get("name") == PART for it in properties):
+    properties = needs.properties(component)
+    if not part or any(it["name"] == PART for it in properties):
         return component
     return {**component, "properties": [*properties, {"name": PART, "value": part}]}
 
@@ -133,24 +123,24 @@ class _Components:
     def all(self) -> Iterator[Component]:
         system = self._contents.system
         if self._whole:
-            kind = ComponentType.OPERATING_SYSTEM
-            yield Component(name=system.name, version=system.version, type=kind, bom_ref=self._whole)
+            yield Component(
+                name=system.name,
+                version=system.version,
+                type=ComponentType.OPERATING_SYSTEM,
+                bom_ref=self._whole,
+                supplier=_organization(system.vendor),
+                licenses=[DisjunctiveLicense(name="as its packages say")],
+                properties=_properties(deployed.SYSTEM.properties()),
+            )
         pairs = (*self._apt, *self._python, *self._ros)
         yield from {component.bom_ref.value: component for component, _ in pairs}.values()
 
-    def needs(self) -> Iterator[tuple[Component, list[Component]]]:
-        """What each component needs of the others."""
+    def needs(self) -> dict[str, list[str]]:
+        """What each component needs: references of others of its kind, or names."""
         provided = self._provided()
-        for component, package in self._apt:
-            yield component, _others(component, _of_relations(package.depends, provided))
-        wheels = {_normalised(wheel.name): component for component, wheel in self._python}
-        for component, wheel in self._python:
-            texts = [text for text in wheel.requires if "extra" not in text]
-            names = (_normalised(re.split(r"[^\w.-]", text.strip(), maxsplit=1)[0]) for text in texts)
-            yield component, _others(component, map(wheels.get, names))
-        packages = {ros.name: component for component, ros in self._ros}
-        for component, ros in self._ros:
-            yield component, _others(component, map(packages.get, ros.depends))
+        needed = {_ref(component): [*_of_relations(it.depends, provided)] for component, it in self._apt}
+        needed |= {_ref(component): [*_of_requirements(it.requires)] for component, it in self._python}
+        return needed | {_ref(component): [f"ros:{name}" for name in it.depends] for component, it in self._ros}
 
     def _provided(self) -> dict[str, Component]:
         """The packages of the system by name, and by the names that they provide."""
@@ -165,45 +155,61 @@ class _Components:
         system = self._contents.system.name
         qualifiers = {"arch": package.architecture, "distro": self._whole}
         facts = {"PkgType": system, "SrcName": package.source, "SrcVersion": package.source_version}
-        version = package.version.partition(":")[2] or package.version
         properties = {f"aquasecurity:trivy:{name}": value for name, value in facts.items()}
-        properties[FILENAME] = f"{package.name}_{version}_{package.architecture}.deb"
         licenses = _licenses(spdx.of_debian(package.licenses), f"file:///usr/share/doc/{package.name}/copyright")
         purl = PackageURL("deb", system, package.name, package.version, qualifiers)
         ref = f"apt:{package.name}:{package.architecture}@{package.version}"
-        return _library(ref, purl, package, package.maintainer, licenses, Origin(properties))
+        return _library(ref, purl, package, package.maintainer, licenses, deployed.of_apt(package), Origin(properties))
 
 
 def _of_python(wheel: Python) -> Component:
     licenses = _licenses(spdx.of_wheel(wheel.licenses), "")
     purl = PackageURL("pypi", None, wheel.name, wheel.version)
-    return _library(f"pypi:{purl.name}@{wheel.version}", purl, wheel, wheel.author, licenses, Origin())
+    return _library(
+        f"pypi:{purl.name}@{wheel.version}", purl, wheel, wheel.author, licenses, deployed.of_python(wheel), Origin()
+    )
 
 
 def _of_ros(ros: Ros, origin: Origin) -> Component:
     licenses = _licenses(spdx.of_debian(ros.licenses), "")
     purl = PackageURL("generic", "ros", ros.name, ros.version)
-    return _library(f"ros:{ros.name}@{ros.version}", purl, ros, ros.maintainer, licenses, origin)
+    return _library(f"ros:{ros.name}@{ros.version}", purl, ros, ros.maintainer, licenses, deployed.of_ros(ros), origin)
 
 
 def _library(
-    ref: str, purl: PackageURL, package: Apt | Python | Ros, supplier: str, licenses: Iterable[License], origin: Origin
+    ref: str,
+    purl: PackageURL,
+    package: Apt | Python | Ros,
+    supplier: str,
+    licenses: Iterable[License],
+    file: Deployed,
+    origin: Origin,
 ) -> Component:
     """A component. `ref` is what others call it: short, since each of them does."""
-    name, address = parseaddr(supplier)
-    title = (name or address or supplier).strip()[:LONGEST]
-    contacts = [OrganizationalContact(email=address)] if name and "@" in address else []
     return Component(
         name=package.name,
         version=package.version,
         type=ComponentType.LIBRARY,
         bom_ref=ref,
         purl=purl,
-        supplier=OrganizationalEntity(name=title, contacts=contacts) if title else None,
+        supplier=_organization(supplier),
         licenses=licenses,
-        properties=[Property(name=key, value=value) for key, value in origin.properties.items()],
-        external_references=origin.references,
+        hashes=file.hashes,
+        properties=_properties((*origin.properties.items(), *file.properties())),
+        external_references=(*origin.references, *file.references),
     )
+
+
+def _organization(text: str) -> OrganizationalEntity | None:
+    """A name, perhaps with an address: `Ada <ada@example.org>`."""
+    both = _PERSON.match(text)
+    name = (both[1] if both else text).strip()[:LONGEST_NAME]
+    contacts = [OrganizationalContact(email=both[2])] if both else []
+    return OrganizationalEntity(name=name, contacts=contacts) if name else None
+
+
+def _properties(pairs: Iterable[tuple[str, str]]) -> list[Property]:
+    return [Property(name=name, value=value) for name, value in pairs]
 
 
 def _licenses(licenses: list[spdx.License], place: str) -> list[License]:
@@ -221,19 +227,20 @@ def _licenses(licenses: list[spdx.License], place: str) -> list[License]:
     ]
 
 
-def _normalised(name: str) -> str:
-    """A wheel's name as its requirements may write it: https://packaging.python.org/specifications/name-normalization/"""
-    return re.sub(r"[-_.]+", "-", name).lower()
+def _ref(component: Component) -> str:
+    return component.bom_ref.value or ""
 
 
-def _of_relations(text: str, provided: Mapping[str, Component]) -> Iterator[Component | None]:
-    """Of each relation of Debian, `a | b (>= 1), c:any`, the first package that is there."""
+def _of_requirements(texts: Iterable[str]) -> Iterator[str]:
+    """The names in requirements of a wheel, without those of its extras."""
+    for text in texts:
+        name, condition = package_name(text), text.partition(";")[2]
+        if name and not re.search(r"\bextra\b", condition):
+            yield f"pypi:{name}{needs.CONDITION if condition else ''}"
+
+
+def _of_relations(text: str, provided: Mapping[str, Component]) -> Iterator[str]:
+    """Of each relation of Debian, `a | b (>= 1), c:any`, the first package that is there, or else the first name."""
     for relation in filter(str.strip, text.split(",")):
-        names = (re.split(r"[\s:(]", other.strip(), maxsplit=1)[0] for other in relation.split("|"))
-        yield next((provided[name] for name in names if name in provided), None)
-
-
-def _others(component: Component, needs: Iterable[Component | None]) -> list[Component]:
-    """These without the component itself, each once."""
-    by_ref = {it.bom_ref.value: it for it in needs if it is not None}
-    return [it for ref, it in by_ref.items() if ref != component.bom_ref.value]
+        names = [re.split(r"[\s:(]", other.strip(), maxsplit=1)[0] for other in relation.split("|")]
+        yield next((_ref(provided[name]) for name in names if name in provided), f"apt:{names[0]}")

@@ -14,6 +14,10 @@ Name = Annotated[str, Field(pattern=r"[^/\s\x00-\x1f]")]
 """A name that a package URL can have: not of slashes and blanks alone, which it leaves out."""
 
 
+Digest = Annotated[str, Field(pattern=r"^([0-9a-f]{64}|[0-9a-f]{128})?$")]
+"""SHA-256 or SHA-512; empty if nobody knows it."""
+
+
 class _Model(Shape):
     model_config = ConfigDict(strict=True, extra="forbid")
 
@@ -23,6 +27,7 @@ class System(_Model):
 
     name: str
     version: str
+    vendor: str = ""
 
 
 class Apt(_Model):
@@ -37,6 +42,7 @@ class Apt(_Model):
     depends: str = ""
     provides: str = ""
     licenses: list[str] = []
+    digest: Digest = ""  # of its .deb
 
 
 class Python(_Model):
@@ -45,6 +51,9 @@ class Python(_Model):
     author: str = ""
     licenses: list[str] = []
     requires: list[str] = []
+    file: str = ""  # the name of the wheel, or of the folder that says what was installed
+    record: str = ""  # the path of its RECORD
+    digest: Digest = ""  # of its RECORD
 
 
 class Ros(_Model):
@@ -55,6 +64,9 @@ class Ros(_Model):
     maintainer: str = ""
     licenses: list[str]
     depends: list[str] = []
+    folder: str = ""  # with this package alone
+    executable: bool = False
+    digest: Digest = ""  # of the files in the folder
 
 
 class Packages(_Model):

@@ -18,7 +18,7 @@ from rosml.registry.client import Registry
 MEDIA_TYPE = "application/vnd.cyclonedx+json"
 """The media type, also of the artifact, by which trivy and others find it beside an image."""
 
-FORMAT = {"io.rosml.sbom.format": "2"}
+FORMAT = {"io.rosml.sbom.format": "3"}
 """The annotation of our SBOMs. With another number all images get a new one, although their digests stay the same."""
 
 OF_A_SYSTEM = re.compile(r"pkg:(?:deb|rpm|apk)/([^/]+)/")

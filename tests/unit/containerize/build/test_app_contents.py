@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import hashlib
 import json
 import os
 from pathlib import Path
@@ -21,7 +22,7 @@ from rosml.base.errors import RosmlError
 from rosml.containerize.build import attachments
 from rosml.containerize.sources.fetch import Repository
 from rosml.images.join import facts, file_lists
-from rosml.images.scan import spdx
+from rosml.images.scan import deployed, spdx
 from rosml.images.scan.sbom import MEDIA_TYPE, Sbom
 from rosml.registry import oci
 from rosml.registry.client import Registry
@@ -51,6 +52,12 @@ Classifier: Topic :: Software Development
 Requires-Dist: small (>=1)
 Requires-Dist: other; extra == "x"
 """
+RECORD = "some_thing/__init__.py,sha256=abc,3\n"
+FILTERS = {
+    "docker-ros/ws/install/filters/lib/filters/filter": "#!/bin/sh\n",
+    "docker-ros/ws/install/filters/share/filters/package.xml": "<package format='2'><name>filters</name>"
+    "<version>1.9.1</version><license>BSD</license><license file='x'> MIT </license></package>",
+}
 WHEELS: list[dict[str, Any]] = [
     {
         "name": "Some_Thing",
@@ -58,11 +65,15 @@ WHEELS: list[dict[str, Any]] = [
         "author": "Ada <ada@example.org>",
         "licenses": ["MIT", "License :: OSI Approved :: MIT License"],
         "requires": ["small (>=1)", 'other; extra == "x"'],
+        "file": "some_thing-1.0-cp311-cp311-manylinux_2_28_x86_64.whl",
+        "record": f"{SITE}/some_thing-1.0.dist-info/RECORD",
+        "digest": hashlib.sha512(RECORD.encode()).hexdigest(),
     }
 ]
+LISTING = "".join(f"{hashlib.sha512(text.encode()).hexdigest()}  {path}\n" for path, text in sorted(FILTERS.items()))
 TIME = 1_700_000_000.0
 PACKAGES: dict[str, Any] = {
-    "system": {"name": "debian", "version": "12"},
+    "system": {"name": "debian", "version": "12", "vendor": "Debian GNU/Linux"},
     "apt": [
         {
             "name": "libc6",
@@ -74,6 +85,7 @@ PACKAGES: dict[str, Any] = {
             "depends": "",
             "provides": "libc, libc-virtual (= 2)",
             "licenses": [],
+            "digest": "a" * 64,
         },
         {
             "name": "tree",
@@ -85,12 +97,26 @@ PACKAGES: dict[str, Any] = {
             "depends": "libc-virtual, gone | libc6 (>= 2.3), tree:any",
             "provides": "",
             "licenses": ["Expat", "GPL-2+"],
+            "digest": "b" * 128,
         },
     ],
     "python": WHEELS,
     "ros": [
-        {"name": "filters", "version": "1.9.1", "maintainer": "", "licenses": ["BSD", "MIT"], "depends": []},
-        {"name": "robot", "version": "0.1.0", "maintainer": "Ada", "licenses": [], "depends": ["filters", "roscpp"]},
+        {
+            **{"name": "filters", "version": "1.9.1", "maintainer": "", "licenses": ["BSD", "MIT"], "depends": []},
+            **{"folder": "docker-ros/ws/install/filters", "executable": True},
+            "digest": hashlib.sha512(LISTING.encode()).hexdigest(),
+        },
+        {
+            **{
+                "name": "robot",
+                "version": "0.1.0",
+                "maintainer": "Ada",
+                "licenses": [],
+                "depends": ["filters", "roscpp"],
+            },
+            **{"folder": "", "executable": False, "digest": ""},
+        },
     ],
 }
 
@@ -113,7 +139,8 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
     lower = write(
         tmp_path / "lower",
         {
-            "usr/lib/os-release": 'ID=debian\nVERSION_ID="12"\n',
+            "usr/lib/os-release": 'ID=debian\nNAME="Debian GNU/Linux"\nVERSION_ID="12"\n',
+            "usr/local/share/rosml/debs.txt": f"libc6 amd64 2.36-9+b1 {'a' * 64}\ntree all 1:2.1 nothing\n",
             "opt/ros/jazzy/lib/python3.12/site-packages/rclpy-7.egg-info/PKG-INFO": "Name: rclpy\nVersion: 7\n",
             "usr/lib/python3/dist-packages/.keep": "",
             "var/lib/dpkg/status.d/tree": TREE.replace("2.1", "1.9"),
@@ -127,19 +154,22 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
         tmp_path / "upper",
         {
             f"{SITE}/some_thing-1.0.dist-info/METADATA": f"{METADATA}\nVersion: of a text\n",
+            f"{SITE}/some_thing-1.0.dist-info/RECORD": RECORD,
+            f"{SITE}/some_thing-1.0.dist-info/WHEEL": "Root-Is-Purelib: false\nTag: cp311-cp311-manylinux_2_28_x86_64\n",
             f"{SITE}/nameless.dist-info/METADATA": "Name: \nVersion: 3\n",
             f"{SITE}/small.dist-info/METADATA": "\ufeffname: small\r\nversion: 3\r\n\r\nName: x\r\n",
             f"{share}/odd/package.xml": "<?xml version='1.0' encoding='x-odd'?><package/>",
-            "var/lib/dpkg/status.d/tree": f"{TREE}\n{LIBC}",
+            "var/lib/dpkg/status.d/tree": f"{TREE}SHA512: {'b' * 128}\n\n{LIBC}",
             "var/lib/dpkg/status.d/tree.md5sums": "0123  usr/bin/tree\n",
             f"{share}/robot/package.xml": "<package xmlns='https://ros.org'><name> robot </name><version>0.1.0</version>"
             "<maintainer email='ada@example.org'>Ada</maintainer><depend>roscpp</depend><exec_depend>filters</exec_depend>"
             "<build_depend>gcc</build_depend><export><name>other</name></export></package>",
-            "docker-ros/ws/install/filters/share/filters/package.xml": "<package format='2'><name>filters</name>"
-            "<version>1.9.1</version><license>BSD</license><license file='x'> MIT </license></package>",
+            **FILTERS,
+            f"{share}/greedy/package.xml": "<!DOCTYPE x [<!ENTITY a 'b'>]><package><name>greedy</name></package>",
             "docker-ros/ws/install/lib/python3/site-packages/robot-0.1.0.egg-info/PKG-INFO": "Name: robot\nVersion: 0.1.0\n",
         },
     )
+    (upper / "docker-ros/ws/install/filters/lib/filters/filter").chmod(0o755)
     (upper / "usr/share/doc").mkdir(parents=True)
     (upper / "usr/share/doc/tree").symlink_to("libtree")
     (upper / "usr/share/doc/libc6").symlink_to("/etc")
@@ -154,6 +184,7 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
     )
     script.write(script.files([lower, upper]), [LIBC, "Package: half\n"], script.owned(dpkg), out)
     small = {"name": "small", "version": "3", "author": "", "licenses": [], "requires": []}
+    small |= {"file": "small.dist-info", "record": "", "digest": ""}
     assert json.loads((out / "packages.json").read_text()) == PACKAGES | {"python": [*WHEELS, small]}
     listed = gzip.decompress((out / "files.gz").read_bytes()).decode().splitlines()
     assert listed == sorted(
@@ -218,12 +249,62 @@ def test_an_sbom() -> None:
         "aquasecurity:trivy:SrcName": "glibc",
         "aquasecurity:trivy:SrcVersion": "2.36-9",
         "bsi:component:filename": "libc6_2.36-9+b1_amd64.deb",
+        "bsi:component:executable": "non-executable",
+        "bsi:component:archive": "archive",
+        "bsi:component:structured": "structured",
     }
     filters = items["filters"]
     assert filters["licenses"] == [{"license": {"id": "MIT"}}, {"license": {"name": "BSD"}}]
-    assert filters["externalReferences"] == [{"type": "vcs", "url": "https://example.org/filters", "comment": "noetic"}]
-    assert filters["properties"] == [{"name": "io.rosml.commit", "value": "c0ffee"}]
+    vcs, distribution = sorted(filters["externalReferences"], key=lambda it: str(it["type"]), reverse=True)
+    assert vcs == {"type": "vcs", "url": "https://example.org/filters", "comment": "noetic"}
+    assert distribution["url"] == "file:///docker-ros/ws/install/filters"
+    assert {"name": "io.rosml.commit", "value": "c0ffee"} in filters["properties"]
     assert "externalReferences" not in items["robot"]
+
+
+def test_what_was_deployed_of_each_component() -> None:
+    """The best hash that there is, at the place where BSI reads it as well; or the reason why there is none."""
+    items = components()
+    assert [item["alg"] for name in ("libc6", "tree", "filters", "Some_Thing") for item in items[name]["hashes"]] == [
+        "SHA-256",
+        *["SHA-512"] * 3,
+    ]
+    assert items["libc6"]["externalReferences"] == [
+        {"type": "distribution", "url": "libc6_2.36-9%2Bb1_amd64.deb", "hashes": items["libc6"]["hashes"]}
+    ]
+    assert items["Some_Thing"]["externalReferences"][0]["url"] == f"file:///{SITE}/some_thing-1.0.dist-info/RECORD"
+    for name, item in items.items():
+        properties = {it["name"]: it["value"] for it in item["properties"]}
+        assert {deployed.FILENAME, deployed.EXECUTABLE, deployed.ARCHIVE, deployed.STRUCTURED} <= properties.keys()
+        assert (deployed.NO_HASH in properties) == ("hashes" not in item) == (name in ("debian", "robot"))
+    assert {"name": deployed.EXECUTABLE, "value": "executable"} in items["filters"]["properties"]
+    assert items["debian"]["supplier"] == {"name": "Debian GNU/Linux"}
+
+
+@pytest.mark.parametrize(
+    ("text", "file"),
+    [
+        ("Tag: py2-none-any\nTag: py3-none-any\n", "x-1-py2.py3-none-any.whl"),
+        ("Build: 7\nTag: py3-none-any\n", "x-1-7-py3-none-any.whl"),
+        ("Tag: cp3-abi3-manylinux_2_17\nTag: cp3-abi3-manylinux2014\n", "x-1.dist-info"),
+        (
+            "Generator: maturin (1)\nTag: cp3-abi3-manylinux_2_17\nTag: cp3-abi3-manylinux2014\n",
+            "x-1-cp3-abi3-manylinux_2_17.manylinux2014.whl",
+        ),
+        ("Tag: odd\n", "x-1.dist-info"),
+        ("", "x-1.dist-info"),
+    ],
+)
+def test_the_file_name_of_a_wheel(script: ModuleType, text: str, file: str) -> None:
+    """If its tags could be in another order, nobody can tell."""
+    assert script.wheel("x-1.dist-info", text) == file
+
+
+def test_what_is_too_long_or_has_no_name_stops_nothing(script: ModuleType, tmp_path: Path) -> None:
+    metadata = {"a": "Name: a\nVersion: 1\nAuthor: " + "x" * (2 << 20), "b": "Name: /\nVersion: 1\n"}
+    root = write(tmp_path / "root", {f"{SITE}/{name}.dist-info/METADATA": text for name, text in metadata.items()})
+    (wheel,) = script.packages(script.files([root]), [], set())["python"]
+    assert wheel["name"] == "a" and len(wheel["author"]) == script.LONGEST
 
 
 def test_what_an_sbom_says_of_each_component(script: ModuleType) -> None:
@@ -284,7 +365,7 @@ def test_a_licence_is_a_short_name(script: ModuleType) -> None:
 def test_the_place_of_a_ros_package(url: str, written: str | None) -> None:
     """As a URL, which CycloneDX wants; a folder of this machine is nobody's business."""
     references = components(url)["filters"].get("externalReferences", [])
-    assert [item["url"] for item in references] == ([written] if written else [])
+    assert [it["url"] for it in references if it["type"] == "vcs"] == ([written] if written else [])
 
 
 def test_what_nobody_knows_is_left_out_and_the_same_name_counts_once() -> None:

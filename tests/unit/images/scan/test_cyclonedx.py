@@ -5,18 +5,20 @@ from __future__ import annotations
 import json
 from typing import Any
 
+import pytest
 from cyclonedx.schema import SchemaVersion
 from cyclonedx.validation.json import JsonStrictValidator
 
 from rosml.images.scan import cyclonedx
-from rosml.images.scan.packages import Apt, Packages, Python, System
+from rosml.images.scan import needs as needs_of
+from rosml.images.scan.packages import Apt, Packages, Python, Ros, System
 from rosml.images.scan.sbom import Sbom
 
 TIME = 1_700_000_000.0
 
 
 def of_ros() -> Sbom:
-    packages = [("bash", "libc6"), ("libc6", "")]
+    packages = [("bash", "libc6"), ("libc6", ""), ("python3-yaml", "libc6 (>= 2)")]
     apt = [
         Apt(name=name, version="1", architecture="amd64", source=name, source_version="1", depends=depends)
         for name, depends in packages
@@ -25,8 +27,17 @@ def of_ros() -> Sbom:
     return Sbom(cyclonedx.document(contents, "x/ros@sha256:0", TIME))
 
 
+REQUIRES = [
+    "numpy",
+    "PyYAML (>=6)",
+    'nvidia-cublas ; platform_machine == "x86_64"',
+    'colorama; os_name == "nt"',
+    "gone",
+]
+
+
 def of_torch() -> Sbom:
-    wheels = [Python(name="torch", version="2", requires=["numpy"]), Python(name="numpy", version="1")]
+    wheels = [Python(name="torch", version="2", requires=REQUIRES), Python(name="numpy", version="1")]
     contents = Packages(system=System(name="", version=""), apt=[], python=wheels, ros=[])
     return Sbom(cyclonedx.document(contents, "x/part@sha256:1", TIME))
 
@@ -44,11 +55,17 @@ def test_an_image_has_the_components_of_its_parts() -> None:
         item["name"]: [it["value"] for it in item["properties"] if it["name"] == cyclonedx.PART]
         for item in document["components"]
     }
-    assert parts == {"debian": ["ros"], "bash": ["ros"], "libc6": ["ros"], "torch": ["torch"], "numpy": ["torch"]}
+    assert parts == {
+        "debian": ["ros"],
+        "bash": ["ros"],
+        "libc6": ["ros"],
+        "python3-yaml": ["ros"],
+        "torch": ["torch"],
+        "numpy": ["torch"],
+    }
     assert document["metadata"]["component"]["name"] == "x/ros@sha256:2"
     needs = {entry["ref"]: entry["dependsOn"] for entry in document["dependencies"]}
-    assert needs["pypi:torch@2"] == ["pypi:numpy@1"]
-    assert len(needs["x/ros@sha256:2"]) == 5 and not {"x/ros@sha256:0", "x/part@sha256:1"} & needs.keys()
+    assert len(needs["x/ros@sha256:2"]) == 6 and not {"x/ros@sha256:0", "x/part@sha256:1"} & needs.keys()
 
 
 def test_what_is_no_component_of_the_image_is_nobodys_need() -> None:
@@ -60,8 +77,56 @@ def test_what_is_no_component_of_the_image_is_nobodys_need() -> None:
     assert all({*entry["dependsOn"]} <= refs for entry in document["dependencies"])
 
 
+def state(content: bytes, ref: str) -> tuple[list[str], str, str]:
+    """What a component needs, how complete that is, and the names that nothing in the document has."""
+    document = json.loads(content)
+    assert JsonStrictValidator(SchemaVersion.V1_6).validate_str(content.decode()) is None
+    (needs,) = (entry["dependsOn"] for entry in document["dependencies"] if entry["ref"] == ref)
+    (state,) = (it["aggregate"] for it in document["compositions"] if ref in it.get("dependencies", ()))
+    (component,) = (item for item in document["components"] if item["bom-ref"] == ref)
+    names = [it["value"] for it in component["properties"] if it["name"] == needs_of.NEEDS]
+    return needs, state, "".join(names)
+
+
+def test_a_wheel_needs_what_other_parts_have() -> None:
+    """By name, also if the system has it as a package of its own. In an image, what is needed elsewhere is not needed."""
+    numpy, cublas = "pypi:numpy@1", "pypi:nvidia-cublas@12"
+    left = "pypi:colorama? pypi:gone pypi:nvidia-cublas? pypi:pyyaml"
+    assert state(of_torch().content, "pypi:torch@2") == ([numpy], "incomplete", left)
+    wheel = Python(name="nvidia_cublas", version="12")
+    packages = Packages(system=System(name="", version=""), apt=[], python=[wheel], ros=[])
+    cuda = Sbom(cyclonedx.document(packages, "x/part@sha256:2", TIME))
+    assert state(cuda.content, cublas) == ([], "complete", "")
+    parts = [("ros", of_ros()), ("torch", of_torch()), ("cuda", cuda)]
+    whole = cyclonedx.joined("x/ros@sha256:3", TIME, parts)
+    yaml = "apt:python3-yaml:amd64@1"
+    assert state(whole, "pypi:torch@2") == ([yaml, numpy, cublas], "incomplete", "pypi:gone")
+    assert state(whole, yaml) == (["apt:libc6:amd64@1"], "complete", "")
+    assert whole == cyclonedx.joined("x/ros@sha256:3", TIME, parts), "the same at any time"
+
+
+def test_a_package_needs_what_its_new_base_image_has() -> None:
+    app = Sbom(of_ros().content, lambda component: component["name"] == "bash")
+    apt = [Apt(name="libc6", version="2", architecture="amd64", source="libc6", source_version="2")]
+    packages = Packages(system=System(name="debian", version="13"), apt=apt, python=[], ros=[])
+    base = Sbom(cyclonedx.document(packages, "x/ros@sha256:4", TIME))
+    moved = cyclonedx.joined("x/app@sha256:5", TIME, [("", base), ("", app)])
+    assert state(moved, "apt:bash:amd64@1") == (["apt:libc6:amd64@2"], "complete", "")
+    without = cyclonedx.joined("x/app@sha256:5", TIME, [("", app)])
+    assert state(without, "apt:bash:amd64@1") == ([], "incomplete", "apt:libc6:amd64@1")
+
+
+@pytest.mark.parametrize("package", ["ros-noetic-tf2-ros", "libtf2-ros-dev", "python3-tf2-ros", "ros-tf2-ros"])
+def test_a_ros_package_needs_one_of_its_system(package: str) -> None:
+    apt = [Apt(name=package, version="2", architecture="amd64", source="x", source_version="2")]
+    ros = [Ros(name="robot", version="1", licenses=[], depends=["tf2_ros"])]
+    packages = Packages(system=System(name="debian", version="13"), apt=apt, python=[], ros=ros)
+    content = cyclonedx.document(packages, "x/app@sha256:5", TIME)
+    assert state(content, "ros:robot@1") == ([f"apt:{package}:amd64@2"], "complete", "")
+
+
 def test_a_part_of_a_part_keeps_its_name() -> None:
     both = Sbom(json.dumps(of_both()).encode())
     document = json.loads(cyclonedx.joined("x/app@sha256:3", TIME, [("base", both)]))
     (torch,) = (item for item in document["components"] if item["name"] == "torch")
-    assert torch["properties"] == [{"name": cyclonedx.PART, "value": "torch"}]
+    assert [it["value"] for it in torch["properties"] if it["name"] == cyclonedx.PART] == ["torch"]
