@@ -318,8 +318,8 @@ NEEDS = ("depend", "run_depend", "exec_depend", "build_export_depend")
 
 def _sorted(items: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
     """Each once, without those that say nothing."""
-    named = [_limited(item) for item in items if NAME.search(item.get("name", ""))]
-    by_name = {(item["name"], item["version"], item.get("architecture", "")): item for item in named}
+    limited = [_limited(item) for item in items if NAME.search(item.get("name", ""))]
+    by_name = {(item["name"], item["version"], item.get("architecture", "")): item for item in limited}
     return [by_name[name] for name in sorted(by_name)]
 
 

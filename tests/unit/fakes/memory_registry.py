@@ -181,6 +181,10 @@ class MemoryRegistry(Registry):
 
 def sbom_of(reference: str, names: Iterable[str], system: str = "") -> bytes:
     """The SBOM of an image of Debian, or of a part without a system."""
+    return cyclonedx.document(packages_of(names, system), reference)
+
+
+def packages_of(names: Iterable[str], system: str = "") -> packages.Packages:
     apt = [
         packages.Apt(name=name, version="1.0", architecture="amd64", source=name, source_version="1.0")
         for name in names
@@ -188,7 +192,7 @@ def sbom_of(reference: str, names: Iterable[str], system: str = "") -> bytes:
     ]
     wheels = [packages.Python(name=name, version="1.0") for name in names if not system]
     of = packages.System(name="debian" if system else "", version=system)
-    return cyclonedx.document(packages.Packages(system=of, apt=apt, python=wheels, ros=[]), reference)
+    return packages.Packages(system=of, apt=apt, python=wheels, ros=[])
 
 
 @dataclass

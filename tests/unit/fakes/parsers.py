@@ -749,7 +749,7 @@ PARSERS: dict[str, Parser] = {
     "what steps of a build say": Parser("json", as_json(documents.APP), app_report_of),
     "archive of a build": Parser("tar", [tar_of(("results/a/b.xml", documents.SUITE.encode()))], results_of_tests),
     "images of a job": Parser("json", as_json([documents.JOB]), job_of),
-    "packages of an image": Parser("json", as_json(documents.PACKAGES), lambda document, folder: contents.sbom(document, "a", 0.0, {})),
+    "packages of an image": Parser("json", as_json(documents.PACKAGES), lambda document, folder: contents.sbom(document, "a", 0.0, contents.Origins({}))),
     "package.xml in an image": Parser("xml", [documents.MANIFEST], contents_of("docker-ros/ws/install/share/a/package.xml")),
     "METADATA in an image": Parser("text", [b"Name: a\nVersion: 1\n\nx"], contents_of("usr/lib/python3/a-1.dist-info/METADATA")),
     "packages of apt in an image": Parser("text", [documents.STATUS], contents_of("var/lib/dpkg/status.d/a")),

@@ -161,8 +161,10 @@ def _install_on(options: _Options, plan: _Plan, services: Services) -> dict[str,
     from rosml.containerize.base_image import base as app_base
     from rosml.containerize.build import adopt
     from rosml.containerize.inputs import Values
+    from rosml.images.builds import contents
     from rosml.images.builds.push import compression
     from rosml.registry import references
+    from rosml.registry.client import Registry
 
     image, platforms = plan.image, (plan.platform,)
     assert image
@@ -180,4 +182,7 @@ def _install_on(options: _Options, plan: _Plan, services: Services) -> dict[str,
     reference = f"{services.registry}/{options.namespace}/on/{place.repository}:{tag}-{image.target}"
     output = f"type=image,push=true,{compression(plan.call.image_set.matrix.compression)}"
     digest = adopt.make(adopted, services, os.environ, platforms, reference, output)
+    with Registry(services.registry, ca_bundle=services.ca_bundle) as registry:
+        pushed = [(references.parse(reference).repository, digest)]
+        contents.attach(services, plan.call.image_set, registry, pushed, say)
     return {"target": image.target, "on": base.reference, "reference": reference, "digest": digest}

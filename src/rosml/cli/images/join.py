@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+from functools import partial
 
 import click
 
@@ -40,11 +41,14 @@ def main(
     """
     from rosml.base.units import duration, size
     from rosml.images.join.joiner import Joiner
+    from rosml.images.scan import together
     from rosml.registry.client import Registries
 
     with (
         Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,
-        Joiner(clients, allow_unlisted=allow_unlisted, say=say) as joiner,
+        Joiner(
+            clients, allow_unlisted=allow_unlisted, say=say, describe=partial(together.attach, clients, say)
+        ) as joiner,
     ):
         report = joiner.join(ros_image, parts, tag, platforms)
     if as_json:

@@ -6,14 +6,17 @@ With an image's name, you can read its packages without pulling it, and `rosml j
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from urllib.parse import quote
 
 from cyclonedx.model import ExternalReference, ExternalReferenceType, XsUri
 
+from rosml.base.errors import RosmlError
+from rosml.containerize.base_image.base import Base
 from rosml.containerize.sources.fetch import Repository
-from rosml.images.builds.contents import FACTS, FILES, LISTS, PACKAGES, created, manifests
+from rosml.images.builds.contents import FACTS, FILES, LISTS, PACKAGES, manifests
 from rosml.images.join.layers import platform
-from rosml.images.scan import cyclonedx, packages
+from rosml.images.scan import cyclonedx, packages, together
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
 from rosml.registry.client import Registry
 
@@ -23,15 +26,43 @@ COMMIT = "io.rosml.commit"
 """The property of a ROS package with the commit of its repository."""
 
 
-def sbom(data: bytes, reference: str, created: float, sources: Mapping[str, Repository]) -> bytes:
+@dataclass(frozen=True)
+class Origins:
+    """Where the components of an app come from."""
+
+    sources: Mapping[str, Repository]
+    """Upstream repositories of ROS packages, by the package's name."""
+
+    parts: Callable[[str], Mapping[str, str]] = lambda platform: {}
+    """Gives the names of the parts of its base image, by the references of their components, for a platform."""
+
+
+def parts_of(registries: Callable[[str], Registry], base: Base, platform: str) -> Mapping[str, str]:
+    """As in `Origins`, of a base image and its add-ons; empty if one has no SBOM, or is in no registry."""
+    if base.local or base.adopted:
+        return {}
+    images = [base.reference, *(base.addons.parts.values() if base.addons else ())]
+    try:
+        return together.parts(registries, images, platform)
+    except RosmlError:  # what a registry has there may be anything
+        return {}
+
+
+def sbom(
+    data: bytes,
+    reference: str,
+    created: float,
+    origins: Origins,
+    platform: str = "",
+) -> bytes:
     """An SBOM in CycloneDX. The same packages and time give the same bytes.
 
     Args:
         data: the packages of the image, from `PACKAGES`.
         created: when the image was made, in seconds since 1970.
-        sources: upstream repositories of ROS packages, by the package's name.
     """
-    return cyclonedx.document(packages.read(data), reference, created, lambda name: _origin(sources.get(name)))
+    contents, parts = packages.read(data), origins.parts(platform)
+    return cyclonedx.document(contents, reference, created, lambda name: _origin(origins.sources.get(name)), parts)
 
 
 def _origin(source: Repository | None) -> cyclonedx.Origin:
@@ -55,7 +86,7 @@ def attach(
     repository: str,
     digest: str,
     load: Callable[[str, str], bytes],
-    sources: Mapping[str, Repository],
+    origins: Origins,
     linked: bool = True,
 ) -> None:
     """Attaches an SBOM, a list of files and facts to an image or to each image of an index. Those that it has already stay.
@@ -80,7 +111,7 @@ def attach(
             registry.attach(repository, subject, artifact, load(name, kind), media_type)
         if not has_sbom:
             image = f"{registry.host}/{repository}@{manifest.digest}"
-            data = sbom(load(name, PACKAGES), image, created(config), sources)
+            data = sbom(load(name, PACKAGES), image, cyclonedx.created(config), origins, name)
             registry.attach(repository, subject, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
 
 

@@ -128,9 +128,10 @@ def join_images(stages: Stages, built: Outcome, lock: Lock) -> tuple[Image, ...]
 
 
 def attach_contents(
-    call: Call, images: Sequence[Image], packages: Packages, upstream: Sequence[Repository]
+    stages: Stages, images: Sequence[Image], packages: Packages, upstream: Sequence[Repository]
 ) -> tuple[str, ...]:
     """Attaches an SBOM, a list of files and facts to images in a registry. Returns those that have them: some registries refuse."""
+    call = stages.call
     if not call.values.sbom or call.names.loads:
         return ()
     owners = {
@@ -149,8 +150,10 @@ def attach_contents(
 
             place = references.parse(image.reference)
             registry, linked = registries(place.host), image.target not in packages.outcome.replacing
+            base = stages.recipe.inputs.base_of(image.target)
+            origins = attachments.Origins(owners, functools.partial(attachments.parts_of, registries, base))
             try:
-                attachments.attach(registry, place.repository, image.digest, load, owners, linked)
+                attachments.attach(registry, place.repository, image.digest, load, origins, linked)
             except RosmlError as error:
                 call.say(f"{image.reference} lacks its SBOM or its list of files: {error.message}")
             else:

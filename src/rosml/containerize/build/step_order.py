@@ -48,7 +48,7 @@ def build_images(call: Call) -> Result:
             lock = result.lock_of(call, chosen.recipe.inputs, packages.outcome, fetched, followed_lock)
             headings.begin()
             images = stages.join_images(chosen, packages.outcome, lock)
-            described = stages.attach_contents(call, images, packages, fetched.upstream)
+            described = stages.attach_contents(chosen, images, packages, fetched.upstream)
         return Result(
             base=base.reference,
             images=images,

@@ -11,7 +11,6 @@ from functools import cache, lru_cache
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.images.builds.contents import created
 from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME
 from rosml.images.image_set.lock_file import package_name
 from rosml.images.join import facts, file_lists
@@ -20,7 +19,9 @@ from rosml.images.join.file_lists import Lists
 from rosml.images.join.layers import Source
 from rosml.images.join.transfer import Transfer
 from rosml.images.scan import attached, cyclonedx, sbom
+from rosml.images.scan import together as sboms_of
 from rosml.images.scan.attached import Attached
+from rosml.images.scan.together import Named
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
 from rosml.registry.oci import Manifest
@@ -67,6 +68,7 @@ class Attachments:
         self._facts = cache(lambda place: facts.of(self._registry(place), place.repository, place.reference))
         self._artifacts = cache(self._list)
         self._sboms = lru_cache(LIKELY_AGAIN)(self._read_sboms)
+        self._sboms_of_base = lru_cache(LIKELY_AGAIN)(self._read_sboms_of_base)
 
     def app_facts(self, app: Source) -> Facts:
         if app_facts := self._facts(_place(app)):
@@ -161,6 +163,9 @@ class Attachments:
 
     # ---- SBOMs -------------------------------------------------------------------------------------------------------
 
+    def _read_sboms_of_base(self, place: Reference) -> list[Named]:
+        return sboms_of.of_manifest(self._registry(place), place.repository, place.reference)
+
     def _read_sboms(self, place: Reference) -> Attached:
         return attached.read(self._registry(place), place.repository, place.reference)
 
@@ -169,10 +174,10 @@ class Attachments:
 
     def new_sbom(self, app: Source, base: BaseContents, reference: str) -> bytes:
         """The SBOM of the new image `reference`: the base image's components, and the app's own."""
-        of_base = (item for place in base.places for item in self._sboms(place).sboms)
+        of_base = (item for place in base.places for item in self._sboms_of_base(place))
         is_own = _is_of_app(self.app_facts(app))
-        of_app = (sbom.Sbom(item.content, is_own) for item in self._sboms(_place(app)).sboms)
-        return cyclonedx.joined(reference, created(app.config.facts), (("", item) for item in (*of_base, *of_app)))
+        of_app = ((cyclonedx.APP, sbom.Sbom(item.content, is_own)) for item in self._sboms(_place(app)).sboms)
+        return cyclonedx.joined(reference, cyclonedx.created(app.config.facts), (*of_base, *of_app))
 
 
 def _place(source: Source) -> Reference:

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Callable, Sequence
-from contextlib import suppress
-from datetime import datetime
 from pathlib import Path
 
 from rosml.base import files
@@ -21,7 +19,6 @@ from rosml.images.scan import cyclonedx, packages, sbom
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
-from rosml.registry.documents import Config
 from rosml.registry.oci import Manifest
 
 FORMAT = "sbom.v3"
@@ -57,18 +54,11 @@ def attach(
                 registry.attach(repository, manifest.descriptor, artifact, listing[name], media_type)
         image = f"{registry.host}/{repository}@{manifest.digest}"
         document = cyclonedx.document(
-            packages.read(listing[PACKAGES]), image, created(registry.config(repository, manifest).facts)
+            packages.read(listing[PACKAGES]), image, cyclonedx.created(registry.config(repository, manifest).facts)
         )
         kind = sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
         sboms[manifest.digest] = registry.attach(repository, manifest.descriptor, *kind)
     return sboms
-
-
-def created(config: Config) -> float:
-    """When an image was made, in seconds since 1970; 0 if its config does not say."""
-    with suppress(ValueError):
-        return datetime.fromisoformat(config.created or "").timestamp()
-    return 0.0
 
 
 def manifests(registry: Registry, repository: str, digest: str) -> list[Manifest]:

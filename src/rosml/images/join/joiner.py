@@ -53,13 +53,16 @@ class Joiner:
         say: Callable[[str], None] = lambda _: None,
         declared: Callable[[], Declared] = restricted.of_this_machine,
         unlisted: str = UNLISTED,
+        describe: Callable[[Sequence[Source], Joined, Reference], None] = lambda *_: None,
     ) -> None:
-        """`declared` gives where restricted parts may go; `unlisted` is the remedy for an image without a list of files."""
+        """`declared` gives where restricted parts may go; `unlisted` is the remedy for an image without a list of files. `describe` is called
+        with what an image was joined from, the image, and where it is, before a tag moves to it."""
         self.allow_unlisted = allow_unlisted
         self._remedy = unlisted
         self._transfer = Transfer(registries, say, declared)
         self._lists = Lists()
         self._say = say
+        self._describe = describe
 
     def __enter__(self) -> Joiner:
         return self
@@ -86,8 +89,9 @@ class Joiner:
         for image in images:  # before the first one is pushed
             self._transfer.require_allowed(image.labels, target, place)
         report = JoinReport(reference=str(place), unlisted=[*unlisted])
-        for image in images:
+        for image, group in zip(images, members, strict=True):
             report.manifests[image.platform] = self._transfer.push(image, place.host, place.repository, report)
+            self._describe(group, image, place)
         origins = {
             image.platform: sorted({digest for source in group for _, digest in self._places(source, group)})
             for image, group in zip(images, members, strict=True)

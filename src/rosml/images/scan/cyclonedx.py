@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import uuid
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any
@@ -27,9 +28,13 @@ from rosml.images.scan.deployed import Deployed
 from rosml.images.scan.packages import Apt, Packages, Python, Ros, System
 from rosml.images.scan.sbom import Sbom
 from rosml.registry import oci
+from rosml.registry.documents import Config
 
 PART = "io.rosml.part"
-"""The property of a component of a joined image with the name of the part that has it."""
+"""The property of a component with the name of the image or part that brought it, if an image is made of several."""
+
+APP = "app"
+"""The name for what an app brings itself."""
 
 LONGEST_NAME = 200
 """The most characters of a person's name."""
@@ -46,7 +51,11 @@ class Origin:
 
 
 def document(
-    contents: Packages, reference: str, created: float = 0.0, of_ros: Callable[[str], Origin] = lambda name: Origin()
+    contents: Packages,
+    reference: str,
+    created: float = 0.0,
+    of_ros: Callable[[str], Origin] = lambda name: Origin(),
+    parts: Mapping[str, str] | None = None,
 ) -> bytes:
     """The SBOM of an image. The same packages and time give the same bytes.
 
@@ -57,6 +66,7 @@ def document(
         reference: of the image, with its digest.
         created: when the image was made, in seconds since 1970.
         of_ros: the origin of a ROS package, by its name.
+        parts: of an app, the names of the parts of its base image, by references of the components there.
     """
     repository, _, digest = reference.partition("@")
     purl = PackageURL("oci", None, repository.rpartition("/")[2], digest, {"repository_url": repository})
@@ -74,6 +84,8 @@ def document(
     texts = (it.as_json(SchemaVersion1Dot6) for it in components.all())  # type: ignore[attr-defined] # a decorator adds it
     written = map(untrusted.json_value, texts)
     by_ref = {component["bom-ref"]: component for component in written}
+    if parts:
+        by_ref = {ref: _of_part(component, parts.get(ref, APP)) for ref, component in by_ref.items()}
     whole = untrusted.json_value(JsonV1Dot6(empty).output_as_string())
     return oci.encoded(needs.completed(whole, by_ref, components.needs()))
 
@@ -90,10 +102,10 @@ def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]]) ->
         sboms: those of the parts, each with the part's name. Its components get the name as a property, unless it is empty or they have one.
     """
     components, needed = dict[str, dict[str, Any]](), dict[str, set[str]]()
-    for part, sbom in sboms:
+    for name, sbom in sboms:
         for component in sbom.components:
             ref = str(component["bom-ref"])
-            components.setdefault(ref, _of_part(component, part))
+            components.setdefault(ref, _of_part(component, name))
             needed.setdefault(ref, set()).update(needs.of(component))
         for dependency in sbom.document.dependencies:
             needed.setdefault(dependency.ref, set()).update(dependency.dependsOn)
@@ -102,11 +114,22 @@ def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]]) ->
     return oci.encoded(needs.completed(whole, components, needed))
 
 
-def _of_part(component: dict[str, Any], part: str) -> dict[str, Any]:
-    properties = needs.properties(component)
-    if not part or any(it["name"] == PART for it in properties):
+def created(config: Config) -> float:
+    """When an image was made, in seconds since 1970; 0 if its config does not say."""
+    with suppress(ValueError):
+        return datetime.fromisoformat(config.created or "").timestamp()
+    return 0.0
+
+
+def _of_part(component: dict[str, Any], name: str) -> dict[str, Any]:
+    if not name or part(component):
         return component
-    return {**component, "properties": [*properties, {"name": PART, "value": part}]}
+    return {**component, "properties": [*needs.properties(component), {"name": PART, "value": name}]}
+
+
+def part(component: Mapping[str, Any]) -> str:
+    """The name of the part that brought a component; empty if it does not say."""
+    return next((it["value"] for it in needs.properties(component) if it["name"] == PART), "")
 
 
 class _Components:
@@ -159,28 +182,25 @@ class _Components:
         licenses = _licenses(spdx.of_debian(package.licenses), f"file:///usr/share/doc/{package.name}/copyright")
         purl = PackageURL("deb", system, package.name, package.version, qualifiers)
         ref = f"apt:{package.name}:{package.architecture}@{package.version}"
-        return _library(ref, purl, package, package.maintainer, licenses, deployed.of_apt(package), Origin(properties))
+        return _library(ref, purl, package, licenses, deployed.of_apt(package), Origin(properties))
 
 
 def _of_python(wheel: Python) -> Component:
     licenses = _licenses(spdx.of_wheel(wheel.licenses), "")
     purl = PackageURL("pypi", None, wheel.name, wheel.version)
-    return _library(
-        f"pypi:{purl.name}@{wheel.version}", purl, wheel, wheel.author, licenses, deployed.of_python(wheel), Origin()
-    )
+    return _library(f"pypi:{purl.name}@{wheel.version}", purl, wheel, licenses, deployed.of_python(wheel), Origin())
 
 
 def _of_ros(ros: Ros, origin: Origin) -> Component:
     licenses = _licenses(spdx.of_debian(ros.licenses), "")
     purl = PackageURL("generic", "ros", ros.name, ros.version)
-    return _library(f"ros:{ros.name}@{ros.version}", purl, ros, ros.maintainer, licenses, deployed.of_ros(ros), origin)
+    return _library(f"ros:{ros.name}@{ros.version}", purl, ros, licenses, deployed.of_ros(ros), origin)
 
 
 def _library(
     ref: str,
     purl: PackageURL,
     package: Apt | Python | Ros,
-    supplier: str,
     licenses: Iterable[License],
     file: Deployed,
     origin: Origin,
@@ -192,7 +212,7 @@ def _library(
         type=ComponentType.LIBRARY,
         bom_ref=ref,
         purl=purl,
-        supplier=_organization(supplier),
+        supplier=_organization(package.author if isinstance(package, Python) else package.maintainer),
         licenses=licenses,
         hashes=file.hashes,
         properties=_properties((*origin.properties.items(), *file.properties())),

@@ -34,10 +34,10 @@ def completed(
     complete, incomplete = list[str](), list[str]()
     for ref in sorted(components):
         resolved = {need: places.of(need.removesuffix(CONDITION)) for need in needs.get(ref, ())}
-        left = [need for need, at in resolved.items() if not at and not (has_system and need.endswith(CONDITION))]
-        written.append(_with_needs(components[ref], sorted(left)[:MOST]))
+        unmet = [need for need, at in resolved.items() if not at and not (has_system and need.endswith(CONDITION))]
+        written.append(_with_needs(components[ref], sorted(unmet)[:MOST]))
         entries.append({"ref": ref, "dependsOn": sorted({at for at in resolved.values() if at and at != ref})})
-        (incomplete if left else complete).append(ref)
+        (incomplete if unmet else complete).append(ref)
     # Files that no package has are in no component, and neither are libraries that wheels have copies of.
     compositions: list[dict[str, Any]] = [{"aggregate": "incomplete", "assemblies": [image]}]
     states = {"complete": complete, "incomplete": incomplete}

@@ -72,6 +72,7 @@ WHEELS: list[dict[str, Any]] = [
 ]
 LISTING = "".join(f"{hashlib.sha512(text.encode()).hexdigest()}  {path}\n" for path, text in sorted(FILTERS.items()))
 TIME = 1_700_000_000.0
+NONE = attachments.Origins({})
 PACKAGES: dict[str, Any] = {
     "system": {"name": "debian", "version": "12", "vendor": "Debian GNU/Linux"},
     "apt": [
@@ -230,7 +231,9 @@ def components(url: str = "https://example.org/filters", **packages: object) -> 
 def sbom_of(packages: dict[str, object], url: str = "https://example.org/filters") -> dict[str, Any]:
     sources = {"filters": Repository("filters", url, "noetic", "c0ffee", ".repos", True)}
     data = json.dumps(PACKAGES | packages).encode()
-    document: dict[str, Any] = json.loads(attachments.sbom(data, "example.org/robot@x", TIME, sources))
+    document: dict[str, Any] = json.loads(
+        attachments.sbom(data, "example.org/robot@x", TIME, attachments.Origins(sources))
+    )
     assert document["metadata"]["component"]["name"] == "example.org/robot@x"
     return document
 
@@ -385,7 +388,7 @@ def test_a_licence_of_markup_alone_is_none() -> None:
 @pytest.mark.parametrize("data", [b"", b"[]", b'{"apt": []}'])
 def test_a_damaged_list_of_packages(data: bytes) -> None:
     with pytest.raises(RosmlError, match="is damaged"):
-        attachments.sbom(data, "example.org/robot@x", TIME, {})
+        attachments.sbom(data, "example.org/robot@x", TIME, NONE)
 
 
 # ---- In a registry ---------------------------------------------------------------------------------------------------
@@ -414,7 +417,7 @@ def test_each_platform_gets_its_contents_once(referrers: bool, server: LocalRegi
         entries = [image(client, architecture) for architecture in ("amd64", "arm64")]
         content = {"schemaVersion": 2, "mediaType": oci.INDEX, "manifests": entries}
         digest = client.put_manifest(ROBOT, "latest", content, oci.INDEX)
-        attachments.attach(client, ROBOT, digest, load, {})
+        attachments.attach(client, ROBOT, digest, load, NONE)
         for entry in entries:
             [artifact] = client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)
             manifest = client.manifest(ROBOT, artifact["digest"])
@@ -428,14 +431,14 @@ def test_each_platform_gets_its_contents_once(referrers: bool, server: LocalRegi
             )
             assert files and files.entries == {"etc/motd"} and app_facts and app_facts.files == ["etc/motd"]
         server.requests.clear()
-        attachments.attach(client, ROBOT, digest, load, {})
+        attachments.attach(client, ROBOT, digest, load, NONE)
         assert not [line for line in server.requests if line.split()[0] not in ("GET", "HEAD")]
 
 
 def test_an_app_that_is_no_layer_on_its_base_has_no_facts(server: LocalRegistry) -> None:
     with Registry(server.address) as client:
         digest = image(client, "amd64")["digest"]
-        attachments.attach(client, ROBOT, digest, load, {}, linked=False)
+        attachments.attach(client, ROBOT, digest, load, NONE, linked=False)
         assert facts.of(client, ROBOT, digest) is None and file_lists.Lists().of(client, ROBOT, digest)
 
 
@@ -443,5 +446,5 @@ def test_an_sbom_of_others_is_none_of_ours(server: LocalRegistry) -> None:
     with Registry(server.address) as client:
         entry = image(client, "amd64")
         client.attach(ROBOT, entry, MEDIA_TYPE, b"{}", MEDIA_TYPE)
-        attachments.attach(client, ROBOT, entry["digest"], load, {})
+        attachments.attach(client, ROBOT, entry["digest"], load, NONE)
         assert len(client.referrers(ROBOT, entry["digest"], MEDIA_TYPE)) == 2

@@ -91,8 +91,8 @@ def state(content: bytes, ref: str) -> tuple[list[str], str, str]:
 def test_a_wheel_needs_what_other_parts_have() -> None:
     """By name, also if the system has it as a package of its own. In an image, what is needed elsewhere is not needed."""
     numpy, cublas = "pypi:numpy@1", "pypi:nvidia-cublas@12"
-    left = "pypi:colorama? pypi:gone pypi:nvidia-cublas? pypi:pyyaml"
-    assert state(of_torch().content, "pypi:torch@2") == ([numpy], "incomplete", left)
+    unmet = "pypi:colorama? pypi:gone pypi:nvidia-cublas? pypi:pyyaml"
+    assert state(of_torch().content, "pypi:torch@2") == ([numpy], "incomplete", unmet)
     wheel = Python(name="nvidia_cublas", version="12")
     packages = Packages(system=System(name="", version=""), apt=[], python=[wheel], ros=[])
     cuda = Sbom(cyclonedx.document(packages, "x/part@sha256:2", TIME))

@@ -55,12 +55,12 @@ def _sbom(run: Run, key: Key) -> Sbom:
 def _attach_sbom(run: Run, read: Read, item: Item, digest: str) -> str:
     """Attaches the SBOM of a joined image, to which those of its parts are put together; returns the digest of the artifact."""
     place = run.state.place
-    sboms = [(target, read((target, item.architecture))) for target in item.needs]
+    sboms = [(target.removeprefix("part-"), read((target, item.architecture))) for target in item.needs]
     repository = place.path(item.repository)
     manifest = place.client.manifest(repository, digest)
     if manifest is None:
         raise RosmlError(f"{item.target} is not in the registry any more", "run it again")
     reference = f"{place.client.host}/{repository}@{digest}"
-    content = cyclonedx.joined(reference, contents.created(place.client.config(repository, manifest).facts), sboms)
+    content = cyclonedx.joined(reference, cyclonedx.created(place.client.config(repository, manifest).facts), sboms)
     kind = MEDIA_TYPE, content, MEDIA_TYPE, FORMAT
     return place.client.attach(repository, manifest.descriptor, *kind)
