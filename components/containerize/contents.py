@@ -165,7 +165,12 @@ def _system(paths: dict[str, str]) -> dict[str, str]:
     place = Path(paths.get("usr/lib/os-release", "/dev/null"))
     text = place.read_text("utf-8", "replace") if place.is_file() else ""
     fields = {name: value.strip("\"'") for name, value in re.findall(r"^(\w+)=(.*)$", text, re.MULTILINE)}
-    return {"name": fields.get("ID", ""), "version": fields.get("VERSION_ID", ""), "vendor": fields.get("NAME", "")}
+    return {
+        "name": fields.get("ID", ""),
+        "version": fields.get("VERSION_ID", ""),
+        "vendor": fields.get("NAME", ""),
+        "home": fields.get("HOME_URL", ""),
+    }
 
 
 _OF_DEBIAN = re.compile(
@@ -242,13 +247,21 @@ def _python(path: str, paths: Mapping[str, str]) -> dict[str, Any]:
     return {
         "name": first["Name"],
         "version": first["Version"],
-        "author": next((first[name] for name in AUTHORS if first[name]), ""),
+        "author": person(first["Author"], first["Author-email"])
+        or person(first["Maintainer"], first["Maintainer-email"]),
         "licenses": [text for text in (*(first[name] for name in LICENSES), *classifiers) if text],
         "requires": [str(text) for text in fields.get_all("Requires-Dist", [])],
         "file": wheel(os.path.basename(folder), _text(paths.get(f"{folder}/WHEEL", ""))),
         "record": record if record in paths else "",
         "digest": sha512(paths.get(record, "")),
     }
+
+
+def person(name: str, address: str) -> str:
+    """Somebody by name and address, as mail has them. Both fields may have several people; the address may have the name already."""
+    if name and re.fullmatch(r"[^\s<>,]+@[^\s<>,]+", address):
+        return f"{name} <{address}>"
+    return address if "<" in address or not name else name
 
 
 def wheel(folder: str, text: str) -> str:
@@ -298,12 +311,13 @@ def _ros(path: str, paths: Mapping[str, str], folders: Mapping[str, list[str]]) 
         return {}
     fields = [(item.tag.rpartition("}")[2], (item.text or "").strip()) for item in root if isinstance(item.tag, str)]
     first = dict(fields[::-1])
+    addresses = [item.get("email", "") for item in root if str(item.tag).rpartition("}")[2] == "maintainer"]
     folder = FOLDER.fullmatch(path)
     files = folders.get(folder.group(1), []) if folder else []
     return {
         "name": first.get("name", ""),
         "version": first.get("version", ""),
-        "maintainer": first.get("maintainer", ""),
+        "maintainer": person(first.get("maintainer", ""), addresses[0] if addresses else ""),
         "licenses": [text for tag, text in fields if tag == "license" and text],
         "depends": sorted({text for tag, text in fields if text and tag in NEEDS}),
         "folder": folder.group(1) if folder else "",

@@ -14,7 +14,7 @@ from cyclonedx.spdx import is_expression, is_supported_id
 
 from rosml import __version__
 from rosml.images.dossier.bill import Bill, Component, Item, Licence, text
-from rosml.images.scan.cyclonedx import FILENAME
+from rosml.images.scan.deployed import FILENAME
 from rosml.registry import oci
 
 NOTHING = "NOASSERTION"

@@ -151,7 +151,7 @@ class _Components:
                 version=system.version,
                 type=ComponentType.OPERATING_SYSTEM,
                 bom_ref=self._whole,
-                supplier=_organization(system.vendor),
+                supplier=_organization(system.vendor, system.home),
                 licenses=[DisjunctiveLicense(name="as its packages say")],
                 properties=_properties(deployed.SYSTEM.properties()),
             )
@@ -220,12 +220,13 @@ def _library(
     )
 
 
-def _organization(text: str) -> OrganizationalEntity | None:
+def _organization(text: str, home: str = "") -> OrganizationalEntity | None:
     """A name, perhaps with an address: `Ada <ada@example.org>`."""
     both = _PERSON.match(text)
     name = (both[1] if both else text).strip()[:LONGEST_NAME]
     contacts = [OrganizationalContact(email=both[2])] if both else []
-    return OrganizationalEntity(name=name, contacts=contacts) if name else None
+    urls = [XsUri(home)] if re.fullmatch(r"https?://[\w./~-]{1,200}", home) else []
+    return OrganizationalEntity(name=name, contacts=contacts, urls=urls) if name else None
 
 
 def _properties(pairs: Iterable[tuple[str, str]]) -> list[Property]:

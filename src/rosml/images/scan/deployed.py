@@ -24,7 +24,7 @@ EXECUTABLE = "bsi:component:executable"
 ARCHIVE = "bsi:component:archive"
 STRUCTURED = "bsi:component:structured"
 
-NO_HASH = "io.rosml.no-hash"
+NO_HASH = "io.rosml.lacks.hash"
 """The property with the reason why a component has no hash."""
 
 _ALGORITHMS = {64: HashAlgorithm.SHA_256, 128: HashAlgorithm.SHA_512}

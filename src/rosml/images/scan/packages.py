@@ -28,6 +28,7 @@ class System(_Model):
     name: str
     version: str
     vendor: str = ""
+    home: str = ""  # its URL
 
 
 class Apt(_Model):

@@ -74,7 +74,7 @@ LISTING = "".join(f"{hashlib.sha512(text.encode()).hexdigest()}  {path}\n" for p
 TIME = 1_700_000_000.0
 NONE = attachments.Origins({})
 PACKAGES: dict[str, Any] = {
-    "system": {"name": "debian", "version": "12", "vendor": "Debian GNU/Linux"},
+    "system": {"name": "debian", "version": "12", "vendor": "Debian GNU/Linux", "home": "https://www.debian.org/"},
     "apt": [
         {
             "name": "libc6",
@@ -112,7 +112,7 @@ PACKAGES: dict[str, Any] = {
             **{
                 "name": "robot",
                 "version": "0.1.0",
-                "maintainer": "Ada",
+                "maintainer": "Ada <ada@example.org>",
                 "licenses": [],
                 "depends": ["filters", "roscpp"],
             },
@@ -140,7 +140,7 @@ def test_the_packages_and_files_of_an_image(script: ModuleType, tmp_path: Path) 
     lower = write(
         tmp_path / "lower",
         {
-            "usr/lib/os-release": 'ID=debian\nNAME="Debian GNU/Linux"\nVERSION_ID="12"\n',
+            "usr/lib/os-release": 'ID=debian\nNAME="Debian GNU/Linux"\nVERSION_ID="12"\nHOME_URL="https://www.debian.org/"\n',
             "usr/local/share/rosml/debs.txt": f"libc6 amd64 2.36-9+b1 {'a' * 64}\ntree all 1:2.1 nothing\n",
             "opt/ros/jazzy/lib/python3.12/site-packages/rclpy-7.egg-info/PKG-INFO": "Name: rclpy\nVersion: 7\n",
             "usr/lib/python3/dist-packages/.keep": "",
@@ -281,7 +281,7 @@ def test_what_was_deployed_of_each_component() -> None:
         assert {deployed.FILENAME, deployed.EXECUTABLE, deployed.ARCHIVE, deployed.STRUCTURED} <= properties.keys()
         assert (deployed.NO_HASH in properties) == ("hashes" not in item) == (name in ("debian", "robot"))
     assert {"name": deployed.EXECUTABLE, "value": "executable"} in items["filters"]["properties"]
-    assert items["debian"]["supplier"] == {"name": "Debian GNU/Linux"}
+    assert items["debian"]["supplier"] == {"name": "Debian GNU/Linux", "url": ["https://www.debian.org/"]}
 
 
 @pytest.mark.parametrize(
@@ -301,6 +301,20 @@ def test_what_was_deployed_of_each_component() -> None:
 def test_the_file_name_of_a_wheel(script: ModuleType, text: str, file: str) -> None:
     """If its tags could be in another order, nobody can tell."""
     assert script.wheel("x-1.dist-info", text) == file
+
+
+@pytest.mark.parametrize(
+    ("name", "address", "person"),
+    [
+        ("Ada", "ada@example.org", "Ada <ada@example.org>"),
+        ("", "Ada <ada@example.org>, Bo <bo@example.org>", "Ada <ada@example.org>, Bo <bo@example.org>"),
+        ("Ada and Bo", "ada@example.org, bo@example.org", "Ada and Bo"),
+        ("Ada", "", "Ada"),
+        ("", "ada@example.org", "ada@example.org"),
+    ],
+)
+def test_a_person_by_name_and_address(script: ModuleType, name: str, address: str, person: str) -> None:
+    assert script.person(name, address) == person
 
 
 def test_what_is_too_long_or_has_no_name_stops_nothing(script: ModuleType, tmp_path: Path) -> None:
