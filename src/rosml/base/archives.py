@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import re
 import struct
 import sys
@@ -220,3 +221,23 @@ class _Read:
     def read(self, _size: int) -> bytes:
         self._archive.fileobj = self._under
         return self._data
+
+
+def stream(blocks: Iterator[bytes]) -> io.BufferedReader:
+    """What `unpacked` gives, as a file-like object, such as for tarfile."""
+    return io.BufferedReader(_Blocks(unpacked(blocks)))
+
+
+class _Blocks(io.RawIOBase):
+    def __init__(self, blocks: Iterator[bytes]) -> None:
+        self._blocks, self._rest = blocks, memoryview(b"")
+
+    def readable(self) -> bool:
+        return True
+
+    def readinto(self, buffer: Any) -> int:
+        while not self._rest and (block := next(self._blocks, None)) is not None:
+            self._rest = memoryview(block)
+        piece, self._rest = self._rest[: len(buffer)], self._rest[len(buffer) :]
+        buffer[: len(piece)] = piece
+        return len(piece)

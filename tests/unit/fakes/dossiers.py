@@ -31,6 +31,7 @@ HOSTILE = '<img src=x onerror="document.title=1">\u202e'
 """What a stranger may write anywhere."""
 
 FILES = (
+    "usr/share/common-licenses/GPL-3",
     "usr/share/doc/bash/copyright",
     "usr/share/doc/libc6",  # a link to a folder
     "usr/lib/python3/dist-packages/torch-2.10.0.dist-info/licenses/LICENSE",
@@ -81,11 +82,17 @@ class Shop:
     def __post_init__(self) -> None:
         self.registry = Registry(self.server.address)
 
-    def base(self, tag: str = "core", annotations: Mapping[str, str] | None = None, with_sbom: bool = True) -> str:
+    def base(
+        self,
+        tag: str = "core",
+        annotations: Mapping[str, str] | None = None,
+        with_sbom: bool = True,
+        labels: Mapping[str, str] | None = None,
+    ) -> str:
         """Puts a published ROS image for one platform; gives its reference."""
         tiny = ros(salt=tag, files=FILES)
         more = {REVISION: "0" * 39 + "1", SOURCE: "https://example.com/me/rosml"}
-        tiny = replace(tiny, labels={**tiny.labels, **more})
+        tiny = replace(tiny, labels={**tiny.labels, **more, **(labels or {})})
         digest, size = tiny.put_manifest(self.registry, "rosml/ros")
         annotations_of_image = (
             {provenance.COVERED: self.statement("rosml/ros", digest)} if annotations is None else {**annotations}

@@ -39,13 +39,14 @@ if TYPE_CHECKING:
 @click.option(
     "--signer", default="", metavar="WHO", help="whose signature counts: a public key's file, or a workflow (https://…)"
 )
+@click.option("--with-texts", is_flag=True, help="download the layers, and write the texts of all licences as well")
 @options.JSON
-def main(image: str, platform: str, output: Path | None, form: Any, signer: str, as_json: bool) -> None:
+def main(image: str, platform: str, output: Path | None, **values: Any) -> None:
     """Writes the dossier of IMAGE, and prints how complete its SBOM is.
 
     IMAGE is a complete reference in any registry. The dossier has the SBOM, VEX, vulnerabilities, licences, ends of support,
     provenance, the state of the signature, the lock and a page that you can read and print. Read access is enough: rosml reads
-    what is attached to the image, and no layer. What is not there is on the page, with the reason.
+    what is attached to the image, and no layer without --with-texts. What is not there is on the page, with the reason.
 
     Exit codes: 0 if the dossier was written, whatever it lacks; 1 if nothing could be written; 2 if the input was wrong, such as
     an image that is gone.
@@ -70,7 +71,8 @@ def main(image: str, platform: str, output: Path | None, form: Any, signer: str,
     matrix = load.without_locks(MATRIX_FILE).matrix
     services = Services.load(ROOT, required=False)
     with Registries(services.ca_bundle) as registries, Transfer(registries, say) as transfer:
-        request = Request(image, platform, form, signer, ROOT, matrix, now(), say)
+        as_json = values.pop("as_json")
+        request = Request(name=image, platform=platform, root=ROOT, matrix=matrix, now=now(), say=say, **values)
         dossier = gather(request, transfer)
     written = write.write(dossier, folder)
     if as_json:

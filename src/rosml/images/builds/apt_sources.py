@@ -14,7 +14,6 @@ import tarfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from pydantic import ValidationError
 
@@ -236,23 +235,8 @@ def _hidden(path: str, gone: set[str]) -> bool:
     return any(folder in ("", path) or path.startswith(f"{folder}/") for folder in gone)
 
 
-class _Blocks(io.RawIOBase):
-    def __init__(self, blocks: Iterator[bytes]) -> None:
-        self._blocks, self._rest = blocks, memoryview(b"")
-
-    def readable(self) -> bool:
-        return True
-
-    def readinto(self, buffer: Any) -> int:
-        while not self._rest and (block := next(self._blocks, None)) is not None:
-            self._rest = memoryview(block)
-        piece, self._rest = self._rest[: len(buffer)], self._rest[len(buffer) :]
-        buffer[: len(piece)] = piece
-        return len(piece)
-
-
 def _unpacked(blocks: Iterator[bytes], media_type: str) -> io.BufferedReader:
     """The unpacked tar of a layer, as a file-like object."""
     if not media_type.endswith(("gzip", "zstd", "tar")):
         raise ValueError(f"{media_type} is no known type of layer")
-    return io.BufferedReader(_Blocks(archives.unpacked(blocks)))
+    return archives.stream(blocks)

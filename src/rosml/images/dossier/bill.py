@@ -20,8 +20,8 @@ MOST = 100
 
 Item = Mapping[str, Any]
 
-REASONS = "io.rosml.lacks."
-"""The prefix of a component's properties that say why it lacks a field: `io.rosml.lacks.hash`."""
+REASONS = "io.rosml.no-"
+"""The prefix of a component's properties that say why it lacks a field: `io.rosml.no-hash`."""
 
 
 def text(item: Item, *path: str) -> str:

@@ -88,6 +88,12 @@ class Origin:
     inputs: Mapping[str, str]
     materials: tuple[tuple[str, str, str], ...]  # name, URI and digest
 
+    @property
+    def commit(self) -> str:
+        """The commit of the checkout that made it; empty if it does not say."""
+        digests = (digest for name, _, digest in self.materials if name == "source")
+        return next(digests, "").removeprefix("gitCommit:")
+
     @classmethod
     def of(cls, statement: Item) -> Origin:
         definition = _object(statement, "predicate", "buildDefinition")

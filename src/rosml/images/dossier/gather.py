@@ -9,7 +9,7 @@ from typing import Any, Literal, TypeVar
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed
-from rosml.images.dossier import evidence, fields, licences, rebuild, scan, spdx_document, support
+from rosml.images.dossier import evidence, fields, licences, rebuild, scan, spdx_document, support, texts
 from rosml.images.dossier.bill import Bill
 from rosml.images.dossier.evidence import Origin, Signature, Statement
 from rosml.images.dossier.fields import Field
@@ -27,6 +27,8 @@ from rosml.registry import references
 from rosml.registry.client import Registry
 from rosml.registry.oci import Manifest
 
+TEXTS = "licence-texts.txt"
+
 Form = Literal["cyclonedx", "spdx"]
 
 T = TypeVar("T")
@@ -43,6 +45,7 @@ class Request:
     root: Path
     matrix: Matrix
     now: str
+    with_texts: bool = False
     say: Callable[[str], None] = lambda line: None
 
 
@@ -103,7 +106,7 @@ def gather(request: Request, transfer: Transfer) -> Dossier:
     _evidence(dossier, registry, request)
     _support(dossier, request.matrix)
     if sbom and dossier.bill:
-        _licences(dossier, registry)
+        _licences(dossier, registry, request)
         request.say("look for vulnerabilities")
         _scan(dossier, sbom, request)
     return dossier
@@ -185,7 +188,7 @@ def _evidence(dossier: Dossier, registry: Registry, request: Request) -> None:
     if lock:
         dossier.files[rebuild.LOCK_FILE] = lock
     if rebuild.is_ours(image.labels):
-        dossier.rebuild = rebuild.of(image.labels, bool(lock))
+        dossier.rebuild = rebuild.of(image.labels, bool(lock), next((it.commit for it in dossier.origins), ""))
 
 
 def _vex(dossier: Dossier, vex: Statement | None) -> None:
@@ -204,7 +207,7 @@ def _support(dossier: Dossier, matrix: Matrix) -> None:
     dossier.ends = support.ends(components, distribution, matrix)
 
 
-def _licences(dossier: Dossier, registry: Registry) -> None:
+def _licences(dossier: Dossier, registry: Registry, request: Request) -> None:
     assert dossier.bill
     files, why = licences.read(registry, dossier.image)
     dossier.texts = licences.of(dossier.bill, files)
@@ -213,6 +216,12 @@ def _licences(dossier: Dossier, registry: Registry) -> None:
         dossier.missing.append(f"whether the texts of licences are in the image: {why}")
     elif without := licences.without_text(dossier.texts):
         dossier.missing.append(f"the image has no text of the licences of {counted(len(without), 'component')}")
+    if request.with_texts:
+        places = licences.all_places(dossier.bill, files or ())
+        if by_path := _tried(
+            "texts of licences", lambda: texts.read(registry, dossier.image, places, request.say), dossier.missing
+        ):
+            dossier.files[TEXTS] = texts.listing(by_path)
 
 
 def _scan(dossier: Dossier, sbom: Sbom, request: Request) -> None:

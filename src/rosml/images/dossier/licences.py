@@ -4,7 +4,7 @@ to images say what is there, so no layer is read."""
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from rosml.base.errors import RosmlError
@@ -23,6 +23,9 @@ _OF_WHEEL = re.compile(
 
 _OF_DEBIAN = re.compile(r"usr/share/doc/(?P<package>[^/]+)(?:/copyright)?")
 """A package's folder may be a link to that of another package from the same sources. Then a list of files names the link."""
+
+COMMON = "usr/share/common-licenses/"
+"""The folder with the licences that are not repeated in each package: https://www.debian.org/doc/debian-policy/ch-docs.html#s-copyrightfile"""
 
 _OF_ROS = re.compile(r".*/share/(?P<package>[^/]+)/(?:LICEN[CS]E|COPYING|NOTICE|package\.xml)[^/]*")
 
@@ -64,6 +67,13 @@ def _texts(component: Component, places: Mapping[tuple[str, str], list[str]], li
         every = sorted({it.place.removeprefix("file:///") for it in component.licences if it.place})
     shown = tuple(map(shortened, every[:SHOWN]))
     return Texts(component.title, shortened(licences), shown, len(every) - len(shown))
+
+
+def all_places(bill: Bill, files: Collection[str]) -> set[str]:
+    """The paths of the texts of all components, and of those that texts of Debian's packages name: the GPL and others."""
+    places = _by_component(files)
+    common = (path for path in files if path.startswith(COMMON))
+    return {*common, *(path for it in bill.components for key in _keys(it) for path in places.get(key, ()))}
 
 
 def _keys(component: Component) -> Iterator[tuple[str, str]]:

@@ -21,6 +21,9 @@ STYLE = Path(__file__).with_name("style.css")
 SHOWN = 200
 """As many vulnerabilities are on the page, the worst. All are in scan.json."""
 
+WHOLE = 20
+"""Cells with fewer characters have one line: days and numbers."""
+
 POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 """What a browser may do with the page: https://www.w3.org/TR/CSP3/"""
 
@@ -68,7 +71,7 @@ def _facts(dossier: Dossier) -> str:
         ("Image", image.name),
         ("Platform", image.platform),
         ("Digest", dossier.reference),
-        ("Digest of its name", dossier.tagged),
+        ("Its name points at", dossier.tagged),
         ("What it is", image.labels.get(DESCRIPTION, "")),
         ("Made", created),
         ("Signature", f"{signature.state}{by}{f': {signature.why}' if signature.why else ''}"),
@@ -221,7 +224,9 @@ def _table(columns: Sequence[str], rows: Iterable[Sequence[str]], marked: object
     head = "".join(f"<th scope=col>{_safe(name)}</th>" for name in columns)
     lines = []
     for row in rows:
-        cells = "".join(f"<td>{_safe(cell)}</td>" for cell in row)
+        cells = "".join(
+            f"<td class=whole>{_safe(it)}</td>" if len(it) < WHOLE else f"<td>{_safe(it)}</td>" for it in row
+        )
         is_marked = callable(marked) and marked(row)
         lines.append(f"<tr class=bad>{cells}</tr>" if is_marked else f"<tr>{cells}</tr>")
     if not lines:

@@ -29,9 +29,10 @@ def is_ours(labels: Mapping[str, str]) -> bool:
     return bool(labels.get(APP) or labels.get(DISTRIBUTION))
 
 
-def of(labels: Mapping[str, str], has_lock: bool) -> Rebuild:
-    """The labels are a stranger's words: one that is no word of a command is left out."""
-    revision, title, source = (_word(labels.get(name, "")) for name in (REVISION, TITLE, SOURCE))
+def of(labels: Mapping[str, str], has_lock: bool, commit: str = "") -> Rebuild:
+    """The labels are a stranger's words: one that is no word of a command is left out. `commit` is by the provenance, if they have none."""
+    title, source = (_word(labels.get(name, "")) for name in (TITLE, SOURCE))
+    revision = _word(labels.get(REVISION) or commit)
     commands = [f"git clone {source} ."] if source.startswith("https://") else []
     notes = ["archives drop old packages: then a build stops, or takes newer ones"]
     commands += [f"git checkout {revision}"] if revision else []

@@ -31,7 +31,14 @@ PURPOSES = {
     "operating-system": "OPERATING-SYSTEM",
 }
 
-HASHES = {"MD5": "MD5", "SHA-1": "SHA1", "SHA-256": "SHA256", "SHA-384": "SHA384", "SHA-512": "SHA512"}
+HASHES = {
+    "MD5": ("MD5", 32),
+    "SHA-1": ("SHA1", 40),
+    "SHA-256": ("SHA256", 64),
+    "SHA-384": ("SHA384", 96),
+    "SHA-512": ("SHA512", 128),
+}
+"""SPDX's names of algorithms, and how many digits a hash has."""
 
 SOURCE, SOURCE_VERSION = "aquasecurity:trivy:SrcName", "aquasecurity:trivy:SrcVersion"
 """The properties with the source package of a package of Debian, by which its advisories name it."""
@@ -124,9 +131,9 @@ def _package(component: Component, name: str, licences: dict[str, Item]) -> dict
     supplier = next(filter(None, map(_entity, component.suppliers)), "")
     source = component.properties.get(SOURCE, "")
     checksums = [
-        {"algorithm": HASHES[kind], "checksumValue": value.lower()}
+        {"algorithm": HASHES[kind][0], "checksumValue": value.lower()}
         for kind, value in sorted(component.hashes.items())
-        if kind in HASHES and re.fullmatch(r"[0-9a-fA-F]+", value)
+        if kind in HASHES and len(value) == HASHES[kind][1] and re.fullmatch(r"[0-9a-fA-F]+", value)
     ]
     optional = {
         "versionInfo": component.version,

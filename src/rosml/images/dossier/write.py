@@ -17,7 +17,8 @@ FACTS = "dossier.json"
 PAGE = "index.html"
 
 NAMES = (
-    *("sbom.cdx.json", "sbom.spdx.json", "vex.openvex.json", "scan.json", "licences.txt", "containerize.lock"),
+    *("sbom.cdx.json", "sbom.spdx.json", "vex.openvex.json", "scan.json", "licences.txt", "licence-texts.txt"),
+    "containerize.lock",
     *("provenance.json", *(f"provenance-{number}.json" for number in range(2, 33)), FACTS, PAGE),
 )
 """All names of files that a dossier may have."""

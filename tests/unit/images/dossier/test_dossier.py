@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import gzip
+import io
 import json
+import tarfile
 import zipfile
 from collections.abc import Iterator
 from dataclasses import replace
@@ -11,9 +14,11 @@ from pathlib import Path
 import pytest
 
 from fakes.dossiers import HOSTILE, NOW, Shop, components, contents, shop, vex
+from fakes.memory_registry import MemoryRegistry, put_image
 from rosml.base.errors import RosmlError
-from rosml.images.dossier import page, rebuild, scan, write
+from rosml.images.dossier import page, rebuild, scan, texts, write
 from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, REVISION, TITLE, VEX
+from rosml.images.join.layers import Source
 from rosml.images.publish import cosign
 from rosml.images.records.store import CREATED
 from rosml.images.scan.sbom import FORMAT, LARGEST, MEDIA_TYPE
@@ -51,6 +56,11 @@ def test_a_published_image(any_registry: Shop) -> None:
         f"git checkout {'0' * 39}1",
         "./rosml image ros1-bookworm-core",
     )
+
+
+def test_the_commit_is_that_of_the_provenance_if_no_label_says(place: Shop) -> None:
+    dossier = place.dossier(place.base(labels={REVISION: ""}))
+    assert dossier.rebuild and dossier.rebuild.commands[1] == f"git checkout {'0' * 40}"
 
 
 def test_read_access_is_enough(place: Shop) -> None:
@@ -244,14 +254,51 @@ def test_a_scanner_that_fails(place: Shop, trivy: Trivy, monkeypatch: pytest.Mon
 
 def test_licences_and_their_texts(place: Shop) -> None:
     dossier = place.dossier(place.base())
-    texts = {it.component: it for it in dossier.texts}
-    assert texts["bash 5.2.15-2"].places == ("usr/share/doc/bash/copyright",)
-    assert texts["libc6 2.36-9"].places == ("usr/share/doc/libc6",), "a link to the folder of another package"
-    assert texts["torch 2.10.0"].places[0].endswith("dist-info/licenses/LICENSE") and not texts["numpy 1.26.4"].places
+    by_name = {it.component: it for it in dossier.texts}
+    assert by_name["bash 5.2.15-2"].places == ("usr/share/doc/bash/copyright",)
+    assert by_name["libc6 2.36-9"].places == ("usr/share/doc/libc6",), "a link to the folder of another package"
+    assert (
+        by_name["torch 2.10.0"].places[0].endswith("dist-info/licenses/LICENSE") and not by_name["numpy 1.26.4"].places
+    )
     assert "the image has no text of the licences of 3 components" in dossier.missing
     listing = dossier.files["licences.txt"]
     assert "GPL-3.0-or-later\n\n  bash 5.2.15-2: usr/share/doc/bash/copyright\n" in listing
     assert "numpy 1.26.4: no text" in listing
+
+
+def test_the_texts_of_licences_on_request(place: Shop) -> None:
+    reference = place.base()
+    assert "licence-texts.txt" not in place.dossier(reference).files
+    whole = place.dossier(reference, with_texts=True).files["licence-texts.txt"]
+    assert "\nusr/share/doc/bash/copyright\n" in whole and "dist-info/licenses/LICENSE" in whole
+    assert "\nusr/share/common-licenses/GPL-3\n" in whole
+    assert "METADATA" not in whole and whole.count("linux/amd64") == 1, "the same text once"
+    [layer] = place.dossier(reference).image.manifest.layers
+    place.server.blobs["rosml/ros", layer.digest] = b"no layer"
+    broken = place.dossier(reference, with_texts=True)
+    assert "licence-texts.txt" not in broken.files and broken.bill
+    assert any(line.startswith("texts of licences: ") for line in broken.missing)
+
+
+def test_only_what_the_list_names_comes_out_of_a_layer() -> None:
+    """And no link, nothing large, and the same bytes of no two paths twice."""
+    large, link = tarfile.TarInfo("usr/share/doc/a/copyright"), tarfile.TarInfo("usr/share/doc/b/copyright")
+    large.size, link.type, link.linkname = texts.LARGEST + 1, tarfile.SYMTYPE, "/etc/passwd"
+    small, other = tarfile.TarInfo("./usr/share/doc/c/copyright"), tarfile.TarInfo("etc/passwd")
+    small.size = other.size = 2
+    data = io.BytesIO()
+    with tarfile.open(fileobj=data, mode="w") as archive:
+        for entry in (large, link, small, other):
+            archive.addfile(entry, io.BytesIO(b"x" * entry.size))
+    layer = gzip.compress(data.getvalue())
+    registry = MemoryRegistry()
+    digest = put_image(registry, "me/robot", "amd64", {}, [layer])
+    manifest = registry.manifest("me/robot", digest)
+    assert manifest
+    image = Source("robot", registry.host, "me/robot", digest, manifest, registry.config("me/robot", manifest))
+    registry.read_blob = lambda repository, digest, read, size=None: read(iter([layer]))  # type: ignore[method-assign]
+    places = {f"usr/share/doc/{name}/copyright" for name in "abc"}
+    assert texts.read(registry, image, places, lambda line: None) == {"usr/share/doc/c/copyright": "xx"}
 
 
 def test_signatures(place: Shop, monkeypatch: pytest.MonkeyPatch) -> None:
