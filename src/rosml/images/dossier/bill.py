@@ -10,6 +10,7 @@ from typing import Any
 from packageurl import PackageURL
 
 from rosml.base import untrusted
+from rosml.images.scan.deployed import NO_HASH
 from rosml.images.scan.sbom import LARGEST
 
 LONGEST = 500
@@ -20,8 +21,8 @@ MOST = 100
 
 Item = Mapping[str, Any]
 
-REASONS = "io.rosml.no-"
-"""The prefix of a component's properties that say why it lacks a field: `io.rosml.no-hash`."""
+REASONS = NO_HASH.removesuffix("hash")
+"""The prefix of a component's properties that say why it lacks a field: `io.rosml.lacks.hash`."""
 
 
 def text(item: Item, *path: str) -> str:
