@@ -124,6 +124,24 @@ RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/
 FROM scratch AS part
 COPY --link --from=part-files /out/ /
 
+# ---- Environments: Python packages beside ROS, at a prefix of their own ----------------------------------------------
+# Their locks: a file for each architecture. The caller names the folder.
+FROM scratch AS environment-locks
+
+FROM assembler AS environment-files
+ARG ENVIRONMENT GLIBC PYTHON TARGETARCH
+ARG BYTECODE=checked-hash
+RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
+    --mount=type=bind,source=components/environment/assemble.sh,target=/run/components/environment/assemble.sh \
+    --mount=type=bind,source=components/part/bytecode.sh,target=/run/components/part/bytecode.sh \
+    --mount=type=bind,source=components/part/normalise.sh,target=/run/components/part/normalise.sh \
+    --mount=type=bind,from=environment-locks,target=/run/locks \
+    --mount=type=secret,id=ca-bundle \
+    LOCK=/run/locks/${TARGETARCH}.txt /run/components/environment/assemble.sh
+
+FROM scratch AS environment
+COPY --link --from=environment-files /out/ /
+
 # ---- Contents: the packages and files of an image or part, for scans, and for whoever joins it to others in a registry ----
 # What is described: a published image, which the caller names. Nothing of it runs.
 FROM scratch AS described

@@ -150,6 +150,13 @@ target "contents" {
   contexts    = { os = OS_BOOKWORM }
 }
 
+target "environment" {
+  inherits    = ["_every"]
+  description = "an environment of Python packages: rosml env build"
+  target      = "environment"
+  contexts    = { os = OS_BOOKWORM }
+}
+
 target "_os-ubuntu-20-04" {
   inherits  = ["_every"]
   target    = "base"

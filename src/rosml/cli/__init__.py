@@ -19,6 +19,7 @@ SECTIONS = {
         "explain": "images.explain",
         "image": "images.image",
         "part": "images.part",
+        "env": "images.env",
         "join": "images.join",
         "dossier": "images.dossier",
     },

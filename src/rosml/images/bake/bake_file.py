@@ -248,7 +248,7 @@ class _Blocks:
     def _sections(self) -> Iterator[tuple[str, list[str]]]:
         images = self._image_set.images
         systems = [names.os_target(image.os, runs) for image in images for runs in (False, True)]
-        everything = ["_every", targets.CONTENTS, *dict.fromkeys(systems), "_image", "_test"]
+        everything = ["_every", targets.CONTENTS, targets.ENVIRONMENT, *dict.fromkeys(systems), "_image", "_test"]
         yield "What others inherit, and operating systems", [name for name in everything if name in self._fields]
         both = [[names.files_target(part.name), part.target] for part in self._image_set.parts]
         yield (

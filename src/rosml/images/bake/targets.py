@@ -28,6 +28,10 @@ CONTENTS = "contents"
 """The target that describes the content of its context `described`."""
 
 
+ENVIRONMENT = "environment"
+"""The target that builds an environment of Python packages. Its caller names the locks and the arguments."""
+
+
 @dataclass(frozen=True)
 class Overridable:
     """A fact of the matrix, unless a variable of the bake file has a value. The fact decides the inputs."""
@@ -110,6 +114,8 @@ def _targets(image_set: ImageSet) -> Iterator[tuple[str, Target]]:
     assembler = matrix.default.assembler
     description = "the packages and files of the image that its context `described` is"
     yield CONTENTS, Target(CONTENTS, {"os": _system(matrix, assembler)}, _common(), description=description)
+    description = "an environment of Python packages: rosml env build"
+    yield ENVIRONMENT, Target(ENVIRONMENT, {"os": _system(matrix, assembler)}, _common(), description=description)
     for os in dict.fromkeys(image.os for image in image_set.images):
         facts = matrix.operating_systems[os]
         platforms = tuple(matrix.architectures[name].platform for name in facts.architectures)

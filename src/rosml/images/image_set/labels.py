@@ -61,6 +61,15 @@ ADDONS = f"{PREFIX}addons"
 PARTS = f"{PREFIX}parts"
 """The label of an image with the names of its parts."""
 
+ENVIRONMENT = f"{PREFIX}environment"
+"""The label of an environment as an image of its own: its name."""
+
+ENVIRONMENTS = f"{PREFIX}environments"
+"""The label of an image with the names of its environments."""
+
+TAKES = f"{PREFIX}takes"
+"""The label of an environment with the releases that it takes from its image: `torch=2.10.0`."""
+
 RELEASE = f"{PREFIX}release"
 """The label of a part with the name of its release."""
 

@@ -16,6 +16,9 @@ from rosml.images.matrix.sizes import Size
 PARTS = "part"
 """The repository of parts, without the registry's prefix."""
 
+ENVIRONMENTS = "env"
+"""The repository of environments, likewise."""
+
 
 @dataclass(frozen=True)
 class Part:

@@ -19,7 +19,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
 from rosml.base.shapes import Shape
 from rosml.images.image_set.labels import COVERED, JOINED
-from rosml.images.image_set.model import PARTS
+from rosml.images.image_set.model import ENVIRONMENTS, PARTS
 from rosml.images.join.file_lists import attached
 from rosml.images.matrix import names
 from rosml.registry import references
@@ -169,7 +169,7 @@ def components(
         return []
     prefix = repository.rpartition("/")[0]
     if digests:
-        beside = [f"{prefix}/{name}" if prefix else name for name in (names.ROS, PARTS)]
+        beside = [f"{prefix}/{name}" if prefix else name for name in (names.ROS, PARTS, ENVIRONMENTS)]
         places = [_in(registry, dict.fromkeys([*near, *beside, repository]), item) for item in digests]
     else:
         places = [_described(registry, prefix, item) for item in sboms]

@@ -9,17 +9,18 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
-from itertools import combinations
+from itertools import combinations, permutations
 from typing import Any
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import restricted
-from rosml.images.image_set.labels import JOINED, OCI
+from rosml.images.image_set.labels import ENVIRONMENT, JOINED, OCI
 from rosml.images.image_set.restricted import Declared
 from rosml.images.join import facts, file_lists
+from rosml.images.join.environments import join, shadowed
 from rosml.images.join.file_lists import COPY, Files, Lists
-from rosml.images.join.layers import Joined, Source, join
+from rosml.images.join.layers import Joined, Source
 from rosml.images.join.transfer import Transfer, Transferred
 from rosml.images.matrix import names
 from rosml.registry import oci, references
@@ -151,6 +152,11 @@ class Joiner:
                 text = f"{name} and {other} both carry /{path}: one would hide the other's"
                 remedy = "remove the file, or the package that has it, from one of them, and publish that image again"
                 raise RosmlError(text, remedy, exit_code=2)
+        environments = {source.name for source in sources if source.labels.get(ENVIRONMENT)}
+        for (name, files), (other, others) in permutations(pairs, 2):
+            if name in environments and other not in environments and (module := shadowed(files, others)):
+                text = f"{name} would hide the module {module} of ROS, which {other} has"
+                raise RosmlError(text, "leave that package out of the environment", exit_code=2)
         return unlisted
 
     def _files(self, source: Source, beside: Sequence[Source]) -> Files | None:

@@ -16,14 +16,15 @@ MOST = 64
 LONGEST = 64
 
 _VERSION = r"[0-9A-Za-z][0-9A-Za-z.+!_-]*"
-_WORDS = dict.fromkeys(("part", "distribution", "component", "framework", "stack"), NAME) | {
+_WORDS = dict.fromkeys(("part", "distribution", "component", "framework", "stack", "environment"), NAME) | {
     "python": f"{PYTHON}|^{ANY_PYTHON}$"
 }
 
 
 def require(claims: Mapping[str, str], name: str, remedy: str = "publish it again") -> None:
     """Checks the labels about what an image or part is, and what goes together. `name` is the user's name of the image."""
-    for label in (*(labels.PREFIX + word for word in _WORDS), labels.PARTS, labels.ADDONS, _FRAMEWORKS, labels.BRINGS):
+    lists = labels.PARTS, labels.ADDONS, labels.ENVIRONMENTS, _FRAMEWORKS, labels.BRINGS, labels.TAKES
+    for label in (*(labels.PREFIX + word for word in _WORDS), *lists):
         wrong = _wrong(claims, label) if claims.get(label) else ""
         if wrong:
             raise RosmlError(f"{name}: its label {label} is damaged: {wrong}", remedy, exit_code=2)
@@ -39,7 +40,9 @@ def _wrong(claims: Mapping[str, str], label: str) -> str:
         return "" if _is(pattern, text) else f"{text[:LONGEST]!r} is no name"
     if label == labels.BRINGS:
         return _wrong_software(claims)
-    if label == labels.PARTS or not claims.get(f"{labels.PREFIX}part"):
+    if label == labels.TAKES:
+        return _wrong_versions(text.split())
+    if label in (labels.PARTS, labels.ENVIRONMENTS) or not claims.get(f"{labels.PREFIX}part"):
         return _wrong_names(text.split())
     try:
         combinations = labels.combinations(text)
@@ -55,6 +58,15 @@ def _wrong_names(names: Sequence[str]) -> str:
         return f"{twice[:LONGEST]!r} is there twice"
     wrong = next((name for name in names if not _is(NAME, name)), None)
     return "" if wrong is None else f"{wrong[:LONGEST]!r} is no name"
+
+
+def _wrong_versions(pairs: Sequence[str]) -> str:
+    wrong = next((pair for pair in pairs if not _is(rf"{NAME[1:-1]}={_VERSION}", pair)), None)
+    return (
+        _wrong_names([pair.partition("=")[0] for pair in pairs])
+        if wrong is None
+        else f"{wrong[:LONGEST]!r} is no version"
+    )
 
 
 def _wrong_software(claims: Mapping[str, str]) -> str:

@@ -141,7 +141,7 @@ def _require_ros(ros: Source) -> None:
         text = f"{ros.name} has CUDA or a framework from its base image: {carried}"
         raise RosmlError(text, "use it as it is; parts need a base image without these", exit_code=2)
     label_claims.require(ros.labels, ros.name)
-    _require_whole(ros)
+    require_whole(ros)
 
 
 def _require_part(part: Source) -> None:
@@ -152,10 +152,11 @@ def _require_part(part: Source) -> None:
             remedy = "use a part from the repository part, made by this version or a later one"
             raise RosmlError(text, remedy, exit_code=2)
     label_claims.require(part.labels, part.name)
-    _require_whole(part)
+    require_whole(part)
 
 
-def _require_whole(source: Source) -> None:
+def require_whole(source: Source) -> None:
+    """Checks that an image has its layers, and that nothing runs in a build that starts from it."""
     if not source.layers or len(source.layers) != len(source.diff_ids):
         raise RosmlError(f"{source.name} is incomplete: its config does not list its layers", "push it again")
     bases.require_no_triggers(source.config.facts.config, source.name)

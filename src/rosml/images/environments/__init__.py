@@ -1,0 +1,1 @@
+"""Environments: Python packages beside ROS, at a prefix of their own."""

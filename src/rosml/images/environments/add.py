@@ -1,0 +1,123 @@
+"""Makes the locks of an environment on an image of the matrix, for all its architectures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import NamedTuple
+
+from rosml.base import files, web
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.images.bake.targets import unlocked
+from rosml.images.environments import lock as locks
+from rosml.images.environments.declaration import Declaration
+from rosml.images.environments.lock import WHEELS, Lock, NoSolution, Provider
+from rosml.images.image_set import lock_file
+from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.locks.index import Index, WheelTarget
+from rosml.images.locks.installs import GLIBC
+from rosml.images.locks.uv import Uv
+from rosml.images.matrix.model import Matrix
+
+
+class Sized(NamedTuple):
+    """A lock, and the bytes of its wheels."""
+
+    lock: Lock
+    size: int
+
+
+@dataclass(frozen=True)
+class Request:
+    """An environment that gets new locks. `folder` has those of before, whose versions stay if they fit and `upgrade` is not set."""
+
+    name: str
+    declaration: Declaration
+    folder: Path
+    upgrade: bool = False
+
+    def previous(self, architecture: str) -> str:
+        file = self.folder / f"{architecture}.txt"
+        return "" if self.upgrade or not file.is_file() else files.text(file)
+
+
+def resolved(
+    request: Request, image_set: ImageSet, target: str, say: Callable[[str], None], uv: Uv | None = None
+) -> list[Sized]:
+    """The lock for each architecture of an image. Writes nothing.
+
+    Raises:
+        RosmlError: there is no such image, or nothing fits; then it names releases of other stacks that do.
+    """
+    image = image_set.by_target.get(target)
+    if image is None:
+        raise RosmlError(f"there is no image {target}", "see all with: rosml list", exit_code=2)
+    if reason := unlocked(image):
+        raise RosmlError(f"{target} {reason}", "name another image", exit_code=2)
+    uv = uv or Uv()
+    every = list[Sized]()
+    with web.client() as client:
+        index = Index(uv, client)
+        for architecture in image.architectures:
+            say(f"resolve {request.name} on {target} for {architecture}")
+            provider = provider_of(image_set.matrix, image, architecture)
+            previous = request.previous(architecture)
+            try:
+                lock = locks.resolved(request.name, request.declaration, provider, uv, previous)
+            except NoSolution as error:
+                raise _refused(request.declaration, image_set.matrix, provider, uv, error) from None
+            every.append(Sized(lock, _size(index, lock)))
+    return every
+
+
+def provider_of(matrix: Matrix, image: Image, architecture: str) -> Provider:
+    """What an image has for an environment. Its parts' locks say it."""
+    from rosml import ROOT
+
+    packages = dict[str, str]()
+    for path in image.locks:
+        if path.split("/")[2] == architecture:
+            packages |= lock_file.versions(files.text(ROOT / path))
+    releases = {lock_file.package_name(item) for item in matrix.families}
+    return Provider(image.target, architecture, image.python, GLIBC[image.os], packages, releases)
+
+
+def _refused(declaration: Declaration, matrix: Matrix, provider: Provider, uv: Uv, error: NoSolution) -> RosmlError:
+    """The error about an environment that does not fit, with what would."""
+    if not locks.fits(declaration, provider, {}, uv):
+        text = f"no set of wheels for Python {provider.python} on {provider.architecture} is what it asks for:\n{error.reason}"
+        remedy = "relax the requirements, name an image with another Python, or leave a package out: --without PACKAGE"
+        return RosmlError(text, remedy, exit_code=2)
+    fitting = [*_fitting(declaration, matrix, provider, uv)]
+    remedy = f"name an image of another stack: {listed(fitting, last='or')}" if fitting else "relax the requirements"
+    return RosmlError(error.message, f"{remedy}; or an image without a framework, beside which it has its own", 2)
+
+
+def _fitting(declaration: Declaration, matrix: Matrix, provider: Provider, uv: Uv) -> Iterator[str]:
+    """Stacks with releases that fit, in words: `cu128 has torch 2.10.0`."""
+    for stack, facts in matrix.stacks.items():
+        has = {
+            name: version
+            for name, version in facts.releases.items()
+            if name in provider.pinned and provider.python in matrix.release(stack, name).python
+        }
+        if has and has != {name: provider.pinned[name] for name in has} and locks.fits(declaration, provider, has, uv):
+            yield f"{stack} has {listed([f'{name} {version}' for name, version in has.items()])}"
+
+
+def _size(index: Index, lock: Lock) -> int:
+    """The bytes of a lock's wheels."""
+    pins = {pin.name: pin.version for pin in lock.pins}
+    target = WheelTarget(lock.python, WHEELS[lock.architecture].format(lock.glibc))
+    return sum(wheel.size for wheel in index.wheels(target, pins).values()) if pins else 0
+
+
+def write(folder: Path, every: Iterable[Lock]) -> None:
+    """Writes locks, and removes those of architectures that the image does not have."""
+    folder.mkdir(parents=True, exist_ok=True)
+    texts = {folder / f"{lock.architecture}.txt": str(lock) for lock in every}
+    files.write_all(texts)
+    for architecture in WHEELS.keys() - {file.stem for file in texts}:
+        (folder / f"{architecture}.txt").unlink(missing_ok=True)

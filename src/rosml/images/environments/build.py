@@ -1,0 +1,132 @@
+"""Builds environments for all their architectures, and pushes each as an image of its own, which a join puts onto others."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from rosml.base import files
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.images.bake import bake_file, hcl
+from rosml.images.bake.targets import ENVIRONMENT
+from rosml.images.builds import base_images, contents
+from rosml.images.builds.push import Push, push
+from rosml.images.environments import lock as locks
+from rosml.images.environments.declaration import FOLDER
+from rosml.images.environments.lock import WHEELS, Lock
+from rosml.images.image_set import labels
+from rosml.images.image_set.model import ENVIRONMENTS, ImageSet
+from rosml.machine import buildx
+from rosml.machine.services import Services
+from rosml.registry import references
+from rosml.registry.client import Registry
+
+
+@dataclass(frozen=True)
+class BuiltEnvironment:
+    """An environment in the registry. `layers` are its sizes in bytes, by platform."""
+
+    name: str
+    reference: str  # with the digest
+    digest: str
+    layers: Mapping[str, int]
+    seconds: float
+
+    def to_json(self) -> dict[str, Any]:
+        return asdict(self)
+
+
+def read(folder: Path, name: str) -> list[Lock]:
+    """The locks of an environment, one for each architecture. Raises a RosmlError if there is none, or they do not go together."""
+    every = [locks.read(file) for arch in WHEELS if (file := folder / f"{arch}.txt").is_file()]
+    again = "make them again: rosml env add NAME --image IMAGE"
+    if not every:
+        raise RosmlError(f"{folder} has no lock", again, exit_code=2)
+    if len({(it.name, it.python, it.glibc) for it in every}) > 1 or every[0].name != name:
+        raise RosmlError(f"the locks in {folder} are not of one environment {name} and one Python", again, exit_code=2)
+    return every
+
+
+def tag(lock: Lock) -> str:
+    """The tag of an environment: `lerobot-py311`."""
+    return f"{lock.name}-py{lock.python.replace('.', '')}"
+
+
+def publish(
+    services: Services, image_set: ImageSet, every: Sequence[Lock], prefix: str, say: Callable[[str], None]
+) -> BuiltEnvironment:
+    """Builds an environment from its locks, pushes it and what it has, and moves its tag. `prefix`: the registry, and the path before `env`."""
+    started, first = time.monotonic(), every[0]
+    place = references.parse(f"{prefix}/{ENVIRONMENTS}")
+    with tempfile.TemporaryDirectory(dir=_folder(services)) as folder:
+        for item in every:
+            Path(folder, f"{item.architecture}.txt").write_text(str(item))
+        call = _bake(services, image_set, every, Path(folder))
+        say(f"environment {first.name} for {listed([*_platforms(image_set, every)])}")
+        digest = push(services, Push(call, str(place).rpartition(":")[0], image_set.matrix.compression))
+    with Registry(place.host, ca_bundle=services.ca_bundle) as registry:
+        contents.attach(services, image_set, registry, [(place.repository, digest)], say)
+        manifests = contents.manifests(registry, place.repository, digest)
+        sizes = [sum(layer.size for layer in manifest.layers) for manifest in manifests]
+        registry.tag(place.repository, digest, tag(first))
+    return BuiltEnvironment(
+        first.name,
+        f"{prefix}/{ENVIRONMENTS}:{tag(first)}@{digest}",
+        digest,
+        dict(zip(_platforms(image_set, every), sizes, strict=True)),
+        time.monotonic() - started,
+    )
+
+
+def _folder(services: Services) -> Path:
+    folder = services.state / "tmp"
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def _platforms(image_set: ImageSet, every: Sequence[Lock]) -> list[str]:
+    return [image_set.matrix.architectures[item.architecture].platform for item in every]
+
+
+def _bake(services: Services, image_set: ImageSet, every: Sequence[Lock], folder: Path) -> buildx.Bake:
+    """The call that builds an environment on an operating system that has its Python, which compiles the bytecode."""
+    first, matrix = every[0], image_set.matrix
+    systems = matrix.operating_systems
+    system = next((name for name, facts in systems.items() if facts.python == first.python), "")
+    if not system:
+        text = f"environment {first.name} is for Python {first.python}, which no operating system of matrix.yaml has"
+        raise RosmlError(text, "make its locks again: rosml env add NAME --image IMAGE", exit_code=2)
+    base = base_images.assembler(services, systems, system, first.python)
+    target = f"{ENVIRONMENT}-{first.name}"
+    attributes = {
+        "inherits": [ENVIRONMENT],
+        "platforms": _platforms(image_set, every),
+        "contexts": {"environment-locks": str(folder), "os": f"docker-image://{base.reference}"},
+        "args": {"ENVIRONMENT": first.name, "PYTHON": first.python, "GLIBC": str(first.glibc)},
+        "labels": _labels(every),
+    }
+    file = services.state / "bake" / f"{target}.hcl"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    files.write(file, f"{bake_file.excerpt(image_set, [ENVIRONMENT])}\n{hcl.block('target', target, attributes)}")
+    return buildx.Bake(target, target, file, shares=buildx.IMAGES)
+
+
+def _labels(every: Sequence[Lock]) -> dict[str, str]:
+    """What a join has to know. An image for several architectures takes the same releases for all."""
+    first = every[0]
+    taken = [{*item.releases.items()} for item in every]
+    if any(other != taken[0] for other in taken):
+        text = f"environment {first.name} takes other releases for each architecture"
+        raise RosmlError(text, "pin their versions in environment.toml", exit_code=2)
+    return {
+        labels.TITLE: f"{first.name}, Python {first.python}",
+        labels.DESCRIPTION: f"environment {first.name} below {FOLDER}, for Python {first.python}",
+        labels.ENVIRONMENT: first.name,
+        f"{labels.PREFIX}python": first.python,
+        labels.TAKES: " ".join(f"{name}={version}" for name, version in sorted(first.releases.items())),
+    }

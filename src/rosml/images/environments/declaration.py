@@ -1,0 +1,121 @@
+"""What an environment shall have: the file environment.toml in its folder, which people edit."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Annotated, Any
+
+from pydantic import ConfigDict, Field, ValidationError
+
+from rosml.base import files, untrusted
+from rosml.base.errors import RosmlError
+from rosml.base.problems import first_of
+from rosml.base.shapes import Shape
+
+FILE = "environment.toml"
+
+FOLDER = "/opt/env"
+"""Where images have their environments, each in a folder with its name."""
+
+NAME = r"[a-z][a-z0-9]*(-[a-z0-9]+)*"
+"""The name of an environment: also that of a folder, a label and a tag."""
+
+LONGEST = 64
+
+_PACKAGE = r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?"
+
+REQUIREMENT = rf"{_PACKAGE}( *\[[A-Za-z0-9._, -]+\])?( *[<>=!~(;][^@:/\n#\\]*)?"
+"""A package of an index: name, extras, versions, marker. uv reads the rest. No address: that has no versions and may be a source."""
+
+_MOST = 256
+
+_Requirement = Annotated[str, Field(pattern=rf"^{REQUIREMENT}$", max_length=400)]
+_Package = Annotated[str, Field(pattern=rf"^{_PACKAGE}$", max_length=200)]
+
+
+class Declaration(Shape):
+    """`requirements` as pip writes them; packages of `without` stay out, whoever needs them."""
+
+    model_config = ConfigDict(strict=True, frozen=True, extra="forbid")
+
+    requirements: Annotated[list[_Requirement], Field(min_length=1, max_length=_MOST)]
+    without: Annotated[list[_Package], Field(max_length=_MOST)] = []
+
+
+def require_name(name: str) -> str:
+    """The name itself. Raises a RosmlError if it is none."""
+    if len(name) > LONGEST or not re.fullmatch(NAME, name):
+        text = f"{name[:LONGEST]!r} is no name of an environment"
+        raise RosmlError(text, "write small letters, digits and single hyphens, such as lerobot", exit_code=2)
+    return name
+
+
+def read(folder: Path) -> Declaration:
+    """The declaration in a folder. Raises a RosmlError if there is none, or it is wrong."""
+    file = folder / FILE
+    if not file.is_file():
+        remedy = "make it: rosml env add NAME REQUIREMENT... --image IMAGE"
+        raise RosmlError(f"there is no {file}", remedy, exit_code=2)
+    try:
+        return Declaration.model_validate(untrusted.toml_value(files.text(file)))
+    except ValidationError as error:
+        raise RosmlError(f"{file}: {first_of(error)}", "correct it", exit_code=2) from None
+    except ValueError as error:
+        raise RosmlError(f"{file} is no TOML: {error}", "correct it", exit_code=2) from None
+
+
+def write(folder: Path, declaration: Declaration) -> None:
+    """Writes the declaration. A comment of the file before does not stay."""
+    facts = {"requirements": declaration.requirements, "without": declaration.without}
+    folder.mkdir(parents=True, exist_ok=True)
+    files.write(folder / FILE, "".join(_lines({name: texts for name, texts in facts.items() if texts})))
+
+
+def _lines(facts: dict[str, list[str]]) -> Iterator[str]:
+    for name, texts in facts.items():
+        yield f"{name} = [\n"
+        yield from (f"  {json.dumps(text)},\n" for text in texts)
+        yield "]\n"
+
+
+def declared(words: Iterable[str], without: Iterable[str]) -> Declaration:
+    """What words of a command line ask for: requirements, and files that have some (requirements.txt, pyproject.toml)."""
+    requirements = [item for word in words for item in _of_word(word)]
+    try:
+        return Declaration(requirements=[*dict.fromkeys(requirements)], without=[*dict.fromkeys(without)])
+    except ValidationError as error:
+        remedy = "write packages of an index with versions, such as 'lerobot==0.4.4'"
+        raise RosmlError(f"requirements of an environment: {first_of(error)}", remedy, exit_code=2) from None
+
+
+def _of_word(word: str) -> Iterable[str]:
+    if word.endswith(".toml"):
+        return _of_project(Path(word))
+    return _of_list(Path(word)) if word.endswith(".txt") else (word,)
+
+
+def _of_project(file: Path) -> list[str]:
+    """The dependencies of a project. Nothing of it runs, so a program must not decide them."""
+    try:
+        facts: Any = untrusted.toml_value(files.text(file)).get("project")
+    except ValueError as error:
+        raise RosmlError(f"{file} is no TOML: {error}", "correct it", exit_code=2) from None
+    dependencies = facts.get("dependencies") if isinstance(facts, dict) else None
+    if not isinstance(dependencies, list) or not all(isinstance(item, str) for item in dependencies):
+        text = f"{file} has no list of dependencies of the project"
+        raise RosmlError(text, "write its requirements into the command, or into a requirements.txt", exit_code=2)
+    return dependencies
+
+
+def _of_list(file: Path) -> Iterator[str]:
+    """The requirements in a file for pip. Its options would name indexes and files, which an environment has from elsewhere."""
+    for number, line in enumerate(files.text(file).splitlines(), 1):
+        text = re.sub(r"(^|\s)#.*", "", line).strip()
+        if text.startswith("-"):
+            remedy = "leave it out; an index is set by UV_INDEX, or in uv's own configuration"
+            raise RosmlError(f"{file}:{number} has an option of pip: {text[:80]}", remedy, exit_code=2)
+        if text:
+            yield text

@@ -1,0 +1,118 @@
+"""Joins environments to an image, without a network. An environment is a layer below /opt/env that no other part knows of."""
+
+from __future__ import annotations
+
+import copy
+import re
+from collections.abc import Sequence
+from typing import Any
+
+from rosml.base import untrusted
+from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
+from rosml.images.image_set import labels
+from rosml.images.join import label_claims, layers
+from rosml.images.join.file_lists import Files
+from rosml.images.join.layers import Joined, Source
+from rosml.registry import oci
+
+_PYTHON = f"{labels.PREFIX}python"
+
+
+def join(ros: Source, parts: Sequence[Source]) -> Joined:
+    """Joins a ROS image, parts and environments, all for one platform. Environments come last, by name.
+
+    Raises:
+        RosmlError: something does not go together.
+    """
+    environments = [part for part in parts if part.labels.get(labels.ENVIRONMENT)]
+    if not environments:
+        return layers.join(ros, parts)
+    others = [part for part in parts if part not in environments]
+    below = layers.join(ros, others) if others else None
+    image = layers.as_source(below, ros) if below else ros
+    _require_ros(image)
+    present = image.labels.get(labels.ENVIRONMENTS, "").split()
+    for environment in environments:
+        _require_fit(image, environment)
+    names = [environment.labels[labels.ENVIRONMENT] for environment in environments]
+    if twice := [name for number, name in enumerate(names) if name in (*present, *names[:number])]:
+        text = f"{image.name} would have the environment {listed([*dict.fromkeys(twice)])} twice"
+        raise RosmlError(text, "leave one of them out", exit_code=2)
+    environments.sort(key=lambda environment: environment.labels[labels.ENVIRONMENT])
+    merged = {**image.labels, labels.ENVIRONMENTS: " ".join(sorted([*present, *names]))}
+    config = oci.encoded(_config(image, environments, merged))
+    lower = below.layers if below else tuple((layer, ros) for layer in ros.layers)
+    whole = (*lower, *((layer, source) for source in environments for layer in source.layers))
+    manifest = {
+        "schemaVersion": 2,
+        "mediaType": oci.IMAGE,
+        "config": oci.descriptor(oci.CONFIG, config),
+        "layers": [layer for layer, _ in whole],
+    }
+    variables = tuple(untrusted.json_value(config)["config"].get("Env") or ())
+    return Joined(image.platform, config, oci.encoded(manifest), merged, whole, variables)
+
+
+def _require_ros(image: Source) -> None:
+    if image.labels.get(f"{labels.PREFIX}part") or image.labels.get(labels.ENVIRONMENT):
+        text = f"{image.name} is a part, but the first image must be a ROS image"
+        raise RosmlError(text, "name the ROS image first, then the parts", exit_code=2)
+    if not image.labels.get(_PYTHON):
+        text = f"{image.name} is no ROS image of this project: it has no label {_PYTHON}"
+        raise RosmlError(text, "use an image from the repository ros, or one that was built on it", exit_code=2)
+    label_claims.require(image.labels, image.name)
+    layers.require_whole(image)
+
+
+def _require_fit(image: Source, environment: Source) -> None:
+    """Checks that an environment has the Python of an image, which has the releases that it takes."""
+    label_claims.require(environment.labels, environment.name)
+    layers.require_whole(environment)
+    name = environment.labels[labels.ENVIRONMENT]
+    if environment.platform != image.platform:
+        text = f"{environment.name} is for {environment.platform}, and {image.name} for {image.platform}"
+        raise RosmlError(text, "use images for one platform", exit_code=2)
+    again = f"make its lock for this image: rosml env add {name} --image IMAGE; then build it"
+    python = environment.labels.get(_PYTHON, "")
+    if python != image.labels[_PYTHON]:
+        text = (
+            f"environment {name} is for Python {python or 'nobody knows'}, and {image.name} has {image.labels[_PYTHON]}"
+        )
+        raise RosmlError(text, again, exit_code=2)
+    for pair in environment.labels.get(labels.TAKES, "").split():
+        release, _, version = pair.partition("=")
+        has = image.labels.get(labels.PREFIX + release)
+        if has != version:
+            other = f"has {release} {has}" if has else f"has no {release}"
+            text = f"environment {name} takes {release} {version} of its image, and {image.name} {other}"
+            raise RosmlError(text, again, exit_code=2)
+
+
+_MODULE = re.compile(r"opt/env/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.py|\.[^/]+\.so)")
+_ROS_PACKAGE = re.compile(r"(?:usr|opt/ros/[^/]+)/share/([^/]+)/package\.xml")
+
+
+def shadowed(environment: Files, image: Files) -> str:
+    """A package of ROS of which an environment has a module of the same name, by name the first; empty if there is none."""
+    modules = {match[1] for path in environment.entries if (match := _MODULE.fullmatch(path))}
+    return min(modules & {match[1] for path in image.entries if (match := _ROS_PACKAGE.fullmatch(path))}, default="")
+
+
+def _config(image: Source, environments: Sequence[Source], merged: dict[str, str]) -> dict[str, Any]:
+    config = copy.deepcopy(image.config.content)
+    config["config"] = (config.get("config") or {}) | {"Labels": merged}
+    added = [digest for environment in environments for digest in environment.diff_ids]
+    config["rootfs"] = (config.get("rootfs") or {"type": "layers"}) | {"diff_ids": [*image.diff_ids, *added]}
+    if config.get("history"):  # either every layer has an entry, or there is no history
+        config["history"] = [*config["history"], *(entry for it in environments for entry in _history(config, it))]
+    return config
+
+
+def _history(config: dict[str, Any], environment: Source) -> list[dict[str, Any]]:
+    entry = {
+        "created_by": f"COPY --link --from=env:{environment.labels[labels.ENVIRONMENT]} / /",
+        "comment": "joined in the registry",
+        **({"created": config["created"]} if "created" in config else {}),
+    }
+    return [entry] * len(environment.diff_ids)

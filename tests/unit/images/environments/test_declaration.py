@@ -1,0 +1,89 @@
+"""What an environment shall have: words of a command line, files, and environment.toml."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from rosml.base.errors import RosmlError
+from rosml.images.environments import declaration
+from rosml.images.environments.declaration import FILE, Declaration
+
+
+def test_files_and_words_become_one_list(tmp_path: Path) -> None:
+    listed, project = tmp_path / "requirements.txt", tmp_path / "pyproject.toml"
+    listed.write_text("# policies\nlerobot==0.4.4  # the last one\n\ngymnasium\n")
+    project.write_text('[project]\nname = "a"\ndependencies = ["numpy>=2; python_version > \'3.9\'", "gymnasium"]\n')
+    wish = declaration.declared([str(listed), "jax[cpu]", str(project)], ["evdev"])
+    assert wish.requirements == [
+        "lerobot==0.4.4",
+        "gymnasium",
+        "jax[cpu]",
+        "numpy>=2; python_version > '3.9'",
+    ]
+    declaration.write(tmp_path / "lerobot", wish)
+    assert declaration.read(tmp_path / "lerobot") == wish
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["--index-url https://example.com/simple", "-r other.txt", "-e .", "--extra-index-url=https://u:p@example.com"],
+)
+def test_options_of_pip_are_refused(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "requirements.txt"
+    file.write_text(f"numpy\n{text}\n")
+    with pytest.raises(RosmlError, match=r"requirements.txt:2 has an option of pip") as caught:
+        declaration.declared([str(file)], [])
+    assert caught.value.exit_code == 2
+
+
+@pytest.mark.parametrize(
+    "word",
+    ["a @ https://example.com/a.whl", "git+https://example.com/a", "./a", "../a.whl", "a\n--index-url=x", "", "-e"],
+)
+def test_no_addresses_and_folders(word: str) -> None:
+    with pytest.raises(RosmlError, match="requirements of an environment") as caught:
+        declaration.declared([word], [])
+    assert caught.value.exit_code == 2
+
+
+def test_dependencies_that_a_program_decides(tmp_path: Path) -> None:
+    project = tmp_path / "pyproject.toml"
+    project.write_text('[project]\nname = "a"\ndynamic = ["dependencies"]\n')
+    with pytest.raises(RosmlError, match="no list of dependencies"):
+        declaration.declared([str(project)], [])
+
+
+@pytest.mark.parametrize("name", ["", "LeRobot", "../a", "a/b", "a b", "-a", "a--b", "a" * 65, "a\n"])
+def test_names(name: str) -> None:
+    with pytest.raises(RosmlError, match="no name of an environment"):
+        declaration.require_name(name)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "requirements = []",
+        'requirements = ["a"]\nbuild = true',
+        "requirements = [1]",
+        "requirements = [",
+        'without = ["a"]',
+    ],
+)
+def test_damaged_declarations(text: str, tmp_path: Path) -> None:
+    (tmp_path / FILE).write_text(text)
+    with pytest.raises(RosmlError) as caught:
+        declaration.read(tmp_path)
+    assert caught.value.exit_code == 2 and FILE in caught.value.message
+
+
+def test_without_a_declaration(tmp_path: Path) -> None:
+    with pytest.raises(RosmlError, match=FILE):
+        declaration.read(tmp_path)
+
+
+def test_quotes_stay_quotes(tmp_path: Path) -> None:
+    wish = Declaration(requirements=['numpy; platform_machine == "x86_64"'])
+    declaration.write(tmp_path, wish)
+    assert declaration.read(tmp_path) == wish

@@ -1,0 +1,153 @@
+"""Locks of environments: what is the image's, what is installed, and what does not go together. uv is a table here."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import pytest
+
+from rosml import MATRIX
+from rosml.base.errors import RosmlError
+from rosml.images.environments import add, build, lock
+from rosml.images.environments.declaration import Declaration
+from rosml.images.environments.lock import NoSolution, Provider
+from rosml.images.image_set import load
+from rosml.images.locks.uv import Uv
+
+IMAGE = Provider(
+    "robot", "amd64", "3.11", 36, {"torch": "2.10.0+cu128", "numpy": "1.24.2", "nvidia-nccl-cu12": "2.27.5"}, {"torch"}
+)
+WISH = Declaration(requirements=["lerobot==0.4.4"], without=["evdev"])
+HASH = f"    --hash=sha256:{'a' * 64}"
+NO = "error: No solution found when resolving dependencies\n  cause: nothing fits"
+
+
+class Table(Uv):
+    """Answers if all constraints are among those that it takes."""
+
+    def __init__(self, versions: Mapping[str, str], takes: Sequence[str]) -> None:
+        super().__init__()
+        self.versions, self.takes, self.calls = versions, takes, list[Mapping[str, str]]()
+
+    def compile(
+        self, arguments: Sequence[str], inputs: Mapping[str, str], output: str = "out.txt"
+    ) -> tuple[int, str, str]:
+        self.calls.append(inputs)
+        if {*inputs["constraints.txt"].split()} - {*self.takes}:
+            return 1, "", NO
+        lines = []
+        for name, wanted_by in {
+            "lerobot": "-r in.txt",
+            "numpy": "lerobot",
+            "torch": "lerobot",
+            "triton": "torch",
+        }.items():
+            lines += [f"{name}=={self.versions[name]} \\", HASH, f"    # via {wanted_by}"]
+        return 0, "\n".join(lines), ""
+
+
+VERSIONS = {"lerobot": "0.4.4", "numpy": "2.2.6", "torch": "2.10.0", "triton": "3.6.0"}
+
+
+def test_what_fits_is_the_images() -> None:
+    uv = Table(VERSIONS, ["torch==2.10.0"])
+    result = lock.resolved("lerobot", WISH, IMAGE, uv)
+    assert result.takes == result.releases == {"torch": "2.10.0"}
+    assert [(pin.name, pin.version) for pin in result.pins] == [("lerobot", "0.4.4"), ("numpy", "2.2.6")]
+    assert [it["constraints.txt"].split() for it in uv.calls] == [
+        ["numpy==1.24.2", "nvidia-nccl-cu12==2.27.5", "torch==2.10.0"],  # all of it, and then what it cannot do without
+        ["torch==2.10.0"],
+    ]
+    assert uv.calls[0]["overrides.txt"] == "evdev; python_version < '3'\n"
+
+
+def test_it_takes_all_that_it_can() -> None:
+    uv = Table({**VERSIONS, "numpy": "1.24.2"}, ["torch==2.10.0", "numpy==1.24.2", "nvidia-nccl-cu12==2.27.5"])
+    result = lock.resolved("lerobot", WISH, IMAGE, uv)
+    assert result.takes == {"torch": "2.10.0", "numpy": "1.24.2"} and result.releases == {"torch": "2.10.0"}
+    assert [pin.name for pin in result.pins] == ["lerobot"]
+
+
+def test_another_release_of_the_image() -> None:
+    with pytest.raises(NoSolution, match="lerobot does not go with robot") as caught:
+        lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, []))
+    assert caught.value.exit_code == 2 and "nothing fits" in caught.value.reason
+
+
+def test_an_index_that_does_not_answer() -> None:
+    class Silent(Table):
+        def compile(
+            self, arguments: Sequence[str], inputs: Mapping[str, str], output: str = "out.txt"
+        ) -> tuple[int, str, str]:
+            return 2, "", "error: Request failed after 3 retries"
+
+    with pytest.raises(RosmlError, match="Request failed") as caught:
+        lock.resolved("lerobot", WISH, IMAGE, Silent({}, []))
+    assert "index" in caught.value.remedy and not isinstance(caught.value, NoSolution)
+
+
+def test_a_lock_is_read_as_it_was_written(tmp_path: Path) -> None:
+    result = lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))
+    add.write(tmp_path, [result])
+    (read,) = build.read(tmp_path, "lerobot")
+    assert str(read) == str(result) and read.takes == result.takes and read.glibc == 36
+
+
+@pytest.mark.parametrize(
+    ("text", "other"),
+    [
+        ("sha256:", "md5:"),
+        ("numpy==2.2.6 \\\n", "numpy @ https://example.com/numpy.whl \\\n"),
+        ("lerobot==0.4.4", "--index-url https://example.com\nlerobot==0.4.4"),
+        (HASH, ""),
+        ("'lerobot'", "'../lerobot'"),
+        ("3.11", "3.11; rm"),
+        ("glibc 2.36.\n", ""),
+    ],
+)
+def test_a_lock_that_somebody_edited(text: str, other: str, tmp_path: Path) -> None:
+    whole = str(lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"])))
+    assert text in whole
+    (tmp_path / "amd64.txt").write_text(whole.replace(text, other))
+    with pytest.raises(RosmlError, match="was cut or edited"):
+        build.read(tmp_path, "lerobot")
+
+
+def test_locks_of_two_environments(tmp_path: Path) -> None:
+    result = lock.resolved("other", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))
+    add.write(tmp_path, [result])
+    with pytest.raises(RosmlError, match="not of one environment lerobot"):
+        build.read(tmp_path, "lerobot")
+
+
+def test_a_new_lock_removes_those_of_other_architectures(tmp_path: Path) -> None:
+    (tmp_path / "arm64.txt").write_text("of before")
+    add.write(tmp_path, [lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))])
+    assert [file.name for file in tmp_path.iterdir()] == ["amd64.txt"]
+
+
+def test_it_names_the_stack_that_fits(tmp_path: Path) -> None:
+    target = "ros1-bookworm-core-torch-cu130"
+    image_set = load.load_one(MATRIX, target)
+    uv = Table(VERSIONS, ["torch==2.10.0"])
+    with pytest.raises(RosmlError, match=f"lerobot does not go with {target}") as caught:
+        add.resolved(add.Request("lerobot", WISH, tmp_path), image_set, target, lambda _: None, uv)
+    assert "cu128 has torch 2.10.0" in caught.value.remedy and "cu132" not in caught.value.remedy
+    assert caught.value.exit_code == 2 and not [*tmp_path.iterdir()]
+
+
+def test_what_no_wheels_give(tmp_path: Path) -> None:
+    target = "ros1-bookworm-core-torch-cu130"
+
+    class Nothing(Table):
+        def compile(
+            self, arguments: Sequence[str], inputs: Mapping[str, str], output: str = "out.txt"
+        ) -> tuple[int, str, str]:
+            return 1, "", NO
+
+    with pytest.raises(RosmlError, match=r"no set of wheels for Python 3\.11 on amd64") as caught:
+        add.resolved(
+            add.Request("x", WISH, tmp_path), load.load_one(MATRIX, target), target, lambda _: None, Nothing({}, [])
+        )
+    assert "--without" in caught.value.remedy

@@ -1,0 +1,99 @@
+"""Environments that are joined to images, and those that do not fit."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+import pytest
+
+from fakes.joins import AMD64, BOTH, TORCH, Place, joining
+from rosml.images.image_set import labels
+from tests.e2e.parts import Tiny
+
+
+@pytest.fixture
+def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Place]:
+    with joining(tmp_path, monkeypatch) as place:
+        yield place
+
+
+def environment(
+    place: Place,
+    name: str = "policy",
+    takes: str = "",
+    python: str = "3.11",
+    platforms: Sequence[str] = BOTH[:1],
+    files: Sequence[str] = (),
+    more: Mapping[str, str] | None = None,
+) -> str:
+    facts = {labels.ENVIRONMENT: name, f"{labels.PREFIX}python": python, labels.TAKES: takes, **(more or {})}
+    image = Tiny(facts, files or [f"opt/env/{name}/pyvenv.cfg"], salt=name)
+    return image.put(place.registry, "me/env", f"{name}-py311", platforms)
+
+
+def test_it_comes_last_and_the_rest_stays(place: Place) -> None:
+    base, stack, policy = place.ros(), place.stack(), environment(place, takes="torch=2.10.0")
+    without = place.image(place.join(base, *stack, tag="without"))[1]
+    before = place.registry.uploaded
+    manifest, config = place.image(place.join(base, policy, *stack))
+    assert [layer["digest"] for layer in manifest["layers"]] == place.layers(base, *stack, policy)
+    assert len(config["rootfs"]["diff_ids"]) == len(config["history"]) == 5
+    assert config["config"]["Labels"] == {**without["config"]["Labels"], labels.ENVIRONMENTS: "policy"}
+    assert config["config"]["Env"] == without["config"]["Env"]
+    assert place.registry.uploaded - before < 10_000  # only manifests: all layers are there
+
+
+def test_a_second_one_and_parts_onto_an_image_with_one(place: Place) -> None:
+    first = place.join(place.ros(), environment(place, "b"), repository="me/first").reference
+    manifest, config = place.image(place.join(first, environment(place, "a"), *place.stack()))
+    assert config["config"]["Labels"][labels.ENVIRONMENTS] == "a b"
+    assert config["config"]["Labels"]["io.rosml.framework"] == "torch"
+    assert len(manifest["layers"]) == 6
+
+
+@pytest.mark.parametrize(
+    ("facts", "message"),
+    [
+        ({"python": "3.12"}, "environment policy is for Python 3.12, and "),
+        ({"takes": "torch=2.9.0"}, "takes torch 2.9.0 of its image, and .* has torch 2.10.0"),
+        ({"takes": "tensorflow=2.20.0"}, "takes tensorflow 2.20.0 of its image, and .* has no tensorflow"),
+        ({"platforms": BOTH[1:]}, "no platform in common"),
+        ({"files": ["etc/passwd"]}, "both carry /etc/passwd"),
+        ({"takes": "torch"}, "io.rosml.takes is damaged"),
+        ({"takes": "torch=2.10.0 torch=2.10.0"}, "io.rosml.takes is damaged"),
+        ({"name": "Policy..etc"}, "io.rosml.environment is damaged"),
+        ({"name": "a" * 65}, "io.rosml.environment is damaged"),
+    ],
+)
+def test_what_does_not_fit(facts: dict[str, str], message: str, place: Place) -> None:
+    values: dict[str, object] = {"name": "policy", "takes": "", **facts}
+    policy = environment(place, **values)  # type: ignore[arg-type]
+    image = place.ros(files=["etc/passwd"])
+    error = place.refused(image, *place.stack(), policy)
+    assert re.search(message, error.message) and error.exit_code == 2
+
+
+@pytest.mark.parametrize("module", ["rospy/__init__.py", "rospy.py", "rospy.cpython-311-x86_64-linux-gnu.so"])
+def test_a_module_of_ros(module: str, place: Place) -> None:
+    image = place.ros(files=["usr/share/rospy/package.xml", "usr/lib/python3/dist-packages/numpy/__init__.py"])
+    site = "opt/env/policy/lib/python3.11/site-packages"
+    error = place.refused(image, environment(place, files=[f"{site}/{module}"]))
+    assert "would hide the module rospy of ROS" in error.message and error.exit_code == 2
+    place.join(image, environment(place, files=[f"{site}/numpy/__init__.py"]))
+
+
+def test_two_of_one_name(place: Place) -> None:
+    error = place.refused(place.ros(), environment(place), environment(place))
+    assert "the environment policy twice" in error.message and error.exit_code == 2
+    image = place.join(place.ros(), environment(place), repository="me/first").reference
+    error = place.refused(image, environment(place))
+    assert "the environment policy twice" in error.message
+
+
+def test_one_in_the_place_of_a_ros_image(place: Place) -> None:
+    error = place.refused(environment(place), environment(place, "other"))
+    assert "is a part, but the first image must be a ROS image" in error.message
+    error = place.refused(*place.stack(TORCH[:1]), environment(place, platforms=[AMD64]))
+    assert "is a part, but the first image must be a ROS image" in error.message
