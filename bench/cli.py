@@ -7,6 +7,7 @@ Examples:
                                            what the commands take, here and at another commit
   uv run python -m bench scale             a night of 2,000 images, simulated
   uv run python -m bench app               rosml containerize beside Dockerfiles that people write by hand
+  uv run python -m bench affected          which of a thousand apps have a package
   uv run python -m bench container         a container beside a bare process: its start, and what nodes take in it
   uv run python -m bench page              write docs/performance.md and docs/scale.md from the results that were saved
 """
@@ -17,11 +18,12 @@ from pathlib import Path
 
 import click
 
-from bench import addons, app, commands, container, fleet, pull, results, scale, second_image, start
+from bench import addons, affected, app, commands, container, fleet, pull, results, scale, second_image, start
 from bench.scale_night import Load
 from rosml import ROOT
 from rosml.base.errors import RosmlError
 from rosml.images.image_set import load
+from rosml.images.scan.trivy import Trivy
 from rosml.machine.services import Services
 
 TARGET = "ros1-bookworm-base-tensorflow-cpu"
@@ -75,6 +77,23 @@ def fleet_(apps: int) -> None:
     fleet.print_table(moved, again)
     if moved.beyond:
         raise RosmlError(f"one app took {'; '.join(moved.beyond)}")
+
+
+@main.command("affected", context_settings=HELP)
+@click.option("--apps", default=affected.APPS, help="How many apps are read.")
+@click.option("--scan", is_flag=True, help="Also ask for an advisory, with the database that the scanner has.")
+def affected_(apps: int, scan: bool) -> None:
+    """`rosml affected` over a thousand apps.
+
+    \b
+    Examples:
+      uv run python -m bench affected --apps 40
+    """
+    trivy = Trivy.find(ROOT) if scan else None
+    results = affected.measure(Services.load(ROOT), apps, trivy, _say)
+    affected.print_table(results, apps)
+    if slow := [it for it in results if it.seconds > affected.SECONDS]:
+        raise RosmlError(f"{slow[0].query} took {slow[0].seconds:.1f} s, and at most {affected.SECONDS:.0f}")
 
 
 @main.command("addons", context_settings=HELP)

@@ -61,6 +61,13 @@ def json_object(data: bytes | str, limit: int = SIZE) -> dict[str, Any] | None:
     return value if isinstance(value, dict) else None
 
 
+def json_quick(data: bytes | str, limit: int = SIZE) -> Any:
+    """As `json_value`, some times faster, for large texts. Of a key that is there twice, the last one counts."""
+    from pydantic_core import from_json
+
+    return from_json(json_text(data, limit), allow_inf_nan=False)
+
+
 def json_values(data: bytes | str, limit: int = SIZE, one: bool = False) -> list[Any]:
     """The values of JSON texts that follow each other, of at most `limit` bytes in all; exactly one if `one` is set. Raises ValueError."""
     text = json_text(data, limit)

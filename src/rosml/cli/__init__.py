@@ -9,6 +9,7 @@ SECTIONS = {
         "containerize": "containerize.containerize",
         "dev": "containerize.dev",
         "rebase": "containerize.rebase",
+        "affected": "containerize.affected",
         "save": "delivery.save",
         "load": "delivery.load",
         "delta": "delivery.delta",

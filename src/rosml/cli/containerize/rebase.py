@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from rosml.containerize.rebase.fleet import Outcome
     from rosml.containerize.rebase.plan import Plan, Rebased
     from rosml.containerize.rebase.rebaser import Rebaser
+    from rosml.containerize.rebase.screen import Screen
     from rosml.containerize.rebase.trial import Pair
     from rosml.machine.services import Services
 
@@ -251,18 +252,11 @@ def _move_fleet(rebaser: Rebaser, file: Path, call: Call) -> None:
         raise SystemExit(1)
 
 
-def _screen(name: str, services: Services) -> Callable[[bytes, str], str]:
-    from datetime import UTC, datetime
+def _screen(name: str, services: Services) -> Screen:
+    from rosml.containerize.rebase import screen
 
-    from rosml.containerize.rebase.screen import Screen, require_advisory
-    from rosml.images.scan import policy
-    from rosml.images.scan.trivy import Trivy
-
-    require_advisory(name)  # before the database is fetched
-    trivy = Trivy.find(ROOT, environment=services.trusting())
-    rules = policy.load(ROOT / "scan.yaml").policy.database
-    trivy.fetch(rules, say=say).require_fresh(rules, datetime.now(UTC))
-    return Screen(name, trivy.scan)
+    screen.require_advisory(name)  # before the database is fetched
+    return screen.Screen(name, screen.scanner(ROOT, services, say).scan)
 
 
 def _print_outcomes(outcomes: Sequence[Outcome]) -> None:

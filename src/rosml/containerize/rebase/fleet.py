@@ -20,6 +20,7 @@ from rosml.base.side_by_side import side_by_side
 from rosml.containerize.rebase import image
 from rosml.containerize.rebase.plan import Plan, Rebased
 from rosml.containerize.rebase.rebaser import Rebaser
+from rosml.containerize.rebase.screen import Screen
 from rosml.containerize.rebase.trial import Pair
 from rosml.images.image_set.labels import BASE_NAME
 from rosml.images.matrix import source, validate
@@ -29,7 +30,9 @@ from rosml.images.records import tag_moves
 from rosml.images.records.store import Records
 from rosml.images.records.tag_moves import Move
 from rosml.registry import references
+from rosml.registry.client import Registry
 from rosml.registry.place import Place
+from rosml.registry.references import Reference
 
 REFERENCE = r"^[^\s@*?\[]*[a-z/][^\s@*?\[]*(:[A-Za-z0-9_.*?\[\]-]+)?$"
 MEANING = {
@@ -105,6 +108,7 @@ class _Ready:
     entry: Entry
     plan: Plan
     moves: tuple[Move, ...]
+    vulnerable: str  # what the app has, and will have no more; empty if nobody looked
 
 
 @dataclass(frozen=True)
@@ -122,7 +126,7 @@ class Fleet:
     trial: Callable[[Rebased, dict[str, Pair], str], None]
     with_sbom: bool = True
     say: Callable[[str], None] = lambda _: None
-    screen: Callable[[bytes, str], str] | None = None
+    screen: Screen | None = None
     _building: threading.Lock = field(default_factory=threading.Lock)
     _undone: dict[tuple[str, str], frozenset[Move]] = field(default_factory=dict)
     _reading: threading.Lock = field(default_factory=threading.Lock)
@@ -158,7 +162,7 @@ class Fleet:
         failed = []
         for entry in sorted(entries, key=lambda entry: entry.is_pattern):
             try:
-                names = self._names(entry)
+                names = names_of(entry, self.rebaser.where, self.rebaser.registries)
             except RosmlError as error:
                 failed.append(_stopped(entry.app, error))
                 continue
@@ -168,21 +172,6 @@ class Fleet:
                     text = f"{name} is named twice, and differently: by {first.app} and by {entry.app}"
                     raise RosmlError(text, "let one entry name it", exit_code=2)
         return by_app, failed
-
-    def _names(self, entry: Entry) -> list[str]:
-        name, _, tag = entry.app.rpartition(":")
-        if not name or "/" in tag:
-            name, tag = entry.app, "latest"
-        if not entry.is_pattern:
-            return [str(self.rebaser.where(f"{name}:{tag}"))]
-        place = self.rebaser.where(f"{name}:x")
-        tags = self.rebaser.registries(place.host).tags(place.repository)
-        tags = [item for item in tags if not DATED.search(item) and not item.startswith(_OURS)]
-        matching = [item for item in tags if fnmatchcase(item, tag)]
-        if not matching:
-            has = f"its tags are {some(sorted(tags))}" if tags else "the repository has no tags of apps"
-            raise RosmlError(f"no tag of {name} matches {tag}", has, exit_code=2)
-        return [str(place._replace(reference=item)) for item in matching]
 
     def _below(self, name: str) -> str:
         """The image below an app, by its name; empty if it cannot be read, which its plan will say."""
@@ -206,7 +195,7 @@ class Fleet:
             if self._is_undone(plan):
                 text = "somebody undid this move; another base image, or another app, moves again"
                 return Outcome(name, "held", text, f"to move it nevertheless: rosml rebase {name}")
-            return _Ready(entry, plan, self._moves(plan))
+            return _Ready(entry, plan, self._moves(plan), vulnerable)
         except RosmlError as error:
             return _stopped(name, error)
 
@@ -242,13 +231,15 @@ class Fleet:
         plan = ready.plan
         try:
             rebased = self.rebaser.push(plan, self.with_sbom)
+            if self.screen and ready.vulnerable:
+                self.rebaser.attach_vex(plan, self.screen.fixed(ready.vulnerable), self.date)
             if plan.needs_link(ready.entry.check):
                 with self._building:
                     self.trial(rebased, plan.pairs, ready.entry.command)
                 rebased = replace(rebased, linked=True)
         except RosmlError as error:
             return _stopped(plan.app_name, error)
-        return _Pushed(ready.entry, plan, ready.moves, rebased)
+        return _Pushed(ready.entry, plan, ready.moves, ready.vulnerable, rebased)
 
     def _record(self, pushed: Sequence[_Pushed]) -> None:
         by_place: defaultdict[tuple[str, str], list[Move]] = defaultdict(list)
@@ -268,6 +259,27 @@ class Fleet:
         except RosmlError as error:
             return Outcome(name, "failed", error.message, error.remedy, pushed.rebased)
         return Outcome(name, "moved", rebased=rebased)
+
+
+def names_of(entry: Entry, where: Callable[[str], Reference], registries: Callable[[str], Registry]) -> list[str]:
+    """The apps of an entry, in full. RosmlError if a pattern matches none."""
+    name, _, tag = entry.app.rpartition(":")
+    if not name or "/" in tag:
+        name, tag = entry.app, "latest"
+    if not entry.is_pattern:
+        return [str(where(f"{name}:{tag}"))]
+    place = where(f"{name}:x")
+    tags = moving_tags(registries(place.host), place.repository)
+    matching = [item for item in tags if fnmatchcase(item, tag)]
+    if not matching:
+        has = f"its tags are {some(sorted(tags))}" if tags else "the repository has no tags of apps"
+        raise RosmlError(f"no tag of {name} matches {tag}", has, exit_code=2)
+    return [str(place._replace(reference=item)) for item in matching]
+
+
+def moving_tags(registry: Registry, repository: str) -> list[str]:
+    """The tags of images in a repository, without dated ones."""
+    return [tag for tag in registry.tags(repository) if not DATED.search(tag) and not tag.startswith(_OURS)]
 
 
 def places(outcomes: Iterable[Outcome]) -> list[str]:

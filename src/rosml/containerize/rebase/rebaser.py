@@ -21,6 +21,9 @@ from rosml.images.image_set.labels import ADDONS, APP, BASE_DIGEST, BASE_NAME, G
 from rosml.images.join.layers import Joined, Source, as_source, join, platform
 from rosml.images.join.transfer import Transfer
 from rosml.images.matrix.tags import DATED
+from rosml.images.records.store import CREATED
+from rosml.images.scan import vex
+from rosml.images.scan.vex import Statement
 from rosml.machine.services import Services
 from rosml.registry import oci, references
 from rosml.registry.client import Registry
@@ -192,6 +195,15 @@ class Rebaser:
         if self._is_signed(plan.app):
             self.say(f"{plan.app_name} is signed, and the new image is not: sign {host}/{repository}@{plan.digest}")
         return replace(rebased, seconds=time.monotonic() - started)
+
+    def attach_vex(self, plan: Plan, statement: Statement, date: str) -> None:
+        """Attaches what is said of a vulnerability to the images of a plan that were pushed."""
+        host, repository, _ = plan.target
+        for it in plan.members.values():
+            subject = oci.descriptor(oci.IMAGE, it.image.manifest)
+            data = vex.openvex(f"{host}/{repository}@{it.image.digest}", [statement], date)
+            kind = vex.MEDIA_TYPE, data, vex.MEDIA_TYPE, {CREATED: date}
+            self.registries(host).attach(repository, subject, *kind)
 
     def _is_signed(self, app: Reference) -> bool:
         registry = self.registries(app.host)

@@ -5,16 +5,29 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
+from rosml.images.scan import policy
 from rosml.images.scan.policy import ADVISORY
-from rosml.images.scan.trivy import Report
+from rosml.images.scan.trivy import Report, Trivy
+from rosml.images.scan.vex import Statement
+from rosml.machine.services import Services
 
 
 def require_advisory(name: str) -> None:
     if not re.fullmatch(ADVISORY, name):
         raise RosmlError(f"--fixes: {name!r} is no name of an advisory", "write it as CVE-2026-12345", exit_code=2)
+
+
+def scanner(root: Path, services: Services, say: Callable[[str], None]) -> Trivy:
+    """The scanner of a checkout, with today's database."""
+    trivy = Trivy.find(root, environment=services.trusting())
+    rules = policy.load(root / "scan.yaml").policy.database
+    trivy.fetch(rules, say=say).require_fresh(rules, datetime.now(UTC))
+    return trivy
 
 
 class Screen:
@@ -30,6 +43,12 @@ class Screen:
         if key not in self._answers:
             self._answers[key] = self._affected(self._scan(sbom, subject))
         return self._answers[key]
+
+    def fixed(self, vulnerable: str) -> Statement:
+        """What VEX says of an image that had it until it moved."""
+        return Statement(
+            advisory=self._name, status="fixed", reason=f"{vulnerable}, until the image moved", components=[]
+        )
 
     def _affected(self, report: Report) -> str:
         packages = {

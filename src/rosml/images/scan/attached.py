@@ -6,6 +6,7 @@ image pass is read by `sbom.Shelf`.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from rosml.base import units
@@ -45,17 +46,23 @@ class Attached:
         raise RosmlError(f"{image} has no SBOM of rosml{f' ({others})' if others else ''}", REMEDY, exit_code=2)
 
 
-def read(registry: Registry, repository: str, digest: str) -> Attached:
-    """The SBOMs of the manifest of an image for one platform. If it is gone, there are none."""
+def read(
+    registry: Registry,
+    repository: str,
+    digest: str,
+    largest: int = LARGEST,
+    is_of: Callable[[Sbom, str], bool] = Sbom.is_of,
+) -> Attached:
+    """The SBOMs of the manifest of an image for one platform, of at most `largest` bytes. If it is gone, there are none."""
     listed = sorted({entry["digest"] for entry in registry.referrers(repository, digest, MEDIA_TYPE)})
     ignored = [Ignored(name, f"only {MOST} are read") for name in listed[MOST:]]
     newest, older = dict[str, Sbom](), dict[str, Sbom]()
     for name in listed[:MOST]:
         artifact = registry.manifest(repository, name)
-        why = _refused(artifact, digest)
+        why = _refused(artifact, digest, largest)
         if not why and artifact:
-            sbom = Sbom(registry.part(repository, artifact.layers[0], LARGEST))
-            if why := _of_another(sbom, digest):
+            sbom = Sbom(registry.part(repository, artifact.layers[0], largest))
+            if why := _of_another(sbom, digest, is_of):
                 ignored.append(Ignored(name, why))
             else:
                 (newest if artifact.annotations.items() >= FORMAT.items() else older)[name] = sbom
@@ -65,7 +72,7 @@ def read(registry: Registry, repository: str, digest: str) -> Attached:
     return Attached(tuple(ours.values()), tuple(ignored), tuple(ours))
 
 
-def _refused(artifact: Manifest | None, digest: str) -> str:
+def _refused(artifact: Manifest | None, digest: str, largest: int) -> str:
     """Why an artifact is none of ours; empty if it may be one."""
     if artifact is None:
         return "it is gone"
@@ -73,13 +80,13 @@ def _refused(artifact: Manifest | None, digest: str) -> str:
         return "somebody else attached it"
     if artifact.subject != digest or len(artifact.layers) != 1:
         return "it is not attached as rosml attaches SBOMs"
-    if artifact.layers[0].size > LARGEST:
-        return f"it has {units.size(artifact.layers[0].size)}, and at most {units.size(LARGEST)} are read"
+    if artifact.layers[0].size > largest:
+        return f"it has {units.size(artifact.layers[0].size)}, and at most {units.size(largest)} are read"
     return ""
 
 
-def _of_another(sbom: Sbom, digest: str) -> str:
+def _of_another(sbom: Sbom, digest: str, is_of: Callable[[Sbom, str], bool]) -> str:
     try:
-        return "" if sbom.is_of(digest) else "it is of another image"
+        return "" if is_of(sbom, digest) else "it is of another image"
     except RosmlError as error:
         return error.message

@@ -50,6 +50,13 @@ class About(Model):
     component: Subject | None = None
 
 
+class _Head(Model):
+    """What says of which image it is."""
+
+    bomFormat: Literal["CycloneDX"]
+    metadata: About | None = None
+
+
 class Document(Model):
     """The part of an SBOM that we read."""
 
@@ -71,8 +78,28 @@ class Sbom:
     counts: Callable[[Mapping[str, Any]], bool] | None = None
 
     def is_of(self, digest: str) -> bool:
-        about = self.document.metadata
-        return bool(about and about.component and about.component.name.endswith(f"@{digest}"))
+        return _is_about(self.document.metadata, digest)
+
+    def seems_of(self, digest: str) -> bool:
+        """As `is_of`, several times faster: its components may be anything. Raises ScannerFailed if it is no SBOM at all."""
+        try:
+            return _is_about(_Head.model_validate(self._content).metadata, digest)
+        except ValueError as error:
+            raise _none(error) from None
+
+    @cached_property
+    def _content(self) -> Any:
+        try:
+            return untrusted.json_quick(self.content, LARGEST)
+        except ValueError as error:
+            raise _none(error) from None
+
+    @property
+    def raw_components(self) -> list[dict[str, Any]]:
+        """All that it says of its components, whatever it is. Raises ScannerFailed if it is none."""
+        components = self._content.get("components", []) if isinstance(self._content, dict) else []
+        items = components if isinstance(components, list) else []
+        return [item for item in items if isinstance(item, dict)]
 
     @cached_property
     def components(self) -> list[dict[str, Any]]:
@@ -89,9 +116,7 @@ class Sbom:
         try:
             return Document.model_validate(self._value)
         except ValueError as error:
-            reason = first_of(error) if isinstance(error, ValidationError) else error
-            text = f"what is kept as an SBOM is none: {reason}"
-            raise ScannerFailed(text, "delete that artifact in the registry") from None
+            raise _none(error) from None
 
     @property
     def packages(self) -> list[Component]:
@@ -134,6 +159,15 @@ class Sbom:
                 f"{name}: its SBOM names {'no operating system' if not self.system else 'no Debian package'}",
                 "check whether the image has /usr/lib/os-release and /var/lib/dpkg/status",
             )
+
+
+def _is_about(about: About | None, digest: str) -> bool:
+    return bool(about and about.component and about.component.name.endswith(f"@{digest}"))
+
+
+def _none(error: ValueError) -> ScannerFailed:
+    reason = first_of(error) if isinstance(error, ValidationError) else error
+    return ScannerFailed(f"what is kept as an SBOM is none: {reason}", "delete that artifact in the registry")
 
 
 class Shelf:

@@ -21,11 +21,14 @@ from pydantic import ConfigDict, Field
 
 from rosml import __version__
 from rosml.base import untrusted
+from rosml.base.errors import RosmlError
 from rosml.base.shapes import Shape, adapter
+from rosml.images.records.store import CREATED
 from rosml.images.scan import cyclonedx
 from rosml.images.scan.judge import Finding
 from rosml.images.scan.policy import ADVISORY, Justification, Status
 from rosml.registry import oci
+from rosml.registry.client import Registry
 
 MEDIA_TYPE = "application/vnd.openvex+json"
 """The media type of an OpenVEX document; also the type of the artifact."""
@@ -52,7 +55,7 @@ class Statement(Shape):
     reason: Text = ""
     action: Text = ""
     components: list[Text]
-    """Package URLs."""
+    """Package URLs; none if it is about the whole image."""
     refs: list[Text] = []
     """The same components in the image's SBOM."""
 
@@ -120,7 +123,7 @@ def openvex(reference: str, judged: Sequence[Statement], date: str) -> bytes:
             "timestamp": date,
             "version": 1,
             "tooling": f"rosml {__version__}",
-            "statements": [_statement(product(reference), it) for it in judged],
+            "statements": [_written(product(reference), it) for it in judged],
         }
     )
 
@@ -131,8 +134,9 @@ def product(reference: str) -> str:
     return PackageURL("oci", None, repository.rpartition("/")[2], image).to_string()
 
 
-def _statement(image: str, statement: Statement) -> dict[str, Any]:
+def _written(image: str, statement: Statement) -> dict[str, Any]:
     subcomponents = [{"@id": name} for purl in statement.components for name in _names(purl)]
+    about = {"@id": image, **({"subcomponents": subcomponents} if subcomponents else {})}
     optional = {
         "status_notes": statement.reason,
         "justification": statement.justification,
@@ -141,7 +145,7 @@ def _statement(image: str, statement: Statement) -> dict[str, Any]:
     }
     return {
         "vulnerability": {"name": statement.advisory},
-        "products": [{"@id": image, "subcomponents": subcomponents}],
+        "products": [about],
         "status": statement.status,
         **{name: text for name, text in optional.items() if text},
     }
@@ -200,3 +204,81 @@ def _vulnerability(sbom: uuid.UUID, statement: Statement) -> dict[str, Any]:
         "analysis": {name: text for name, text in analysis.items() if text},
         "affects": [{"ref": f"urn:cdx:{sbom}/1#{quote(ref, safe='')}"} for ref in statement.refs],
     }
+
+
+# ---- Reading ---------------------------------------------------------------------------------------------------------
+
+
+class _Component(Shape):
+    id: Text = Field(default="", alias="@id")
+
+
+class _Product(_Component):
+    subcomponents: list[_Component] = []
+
+
+class _Vulnerability(Shape):
+    name: Annotated[str, Field(pattern=ADVISORY, max_length=64)]
+
+
+class _Statement(Shape):
+    """A statement of anybody's OpenVEX, as far as we read it."""
+
+    vulnerability: _Vulnerability
+    products: list[_Product] = []
+    status: Status
+    justification: Justification | Literal[""] = ""
+    status_notes: str = ""
+    impact_statement: str = ""
+    action_statement: str = ""
+
+
+class _Document(Shape):
+    statements: list[_Statement]
+
+
+MOST = 16
+"""The most artifacts of an image that are looked at."""
+
+
+def read(registry: Registry, repository: str, digest: str) -> tuple[Statement, ...]:
+    """The newest VEX that is attached to an image; empty if there is none. Everybody who may push there can attach one.
+
+    Raises RosmlError if it is damaged.
+    """
+    listed = [entry["digest"] for entry in registry.referrers(repository, digest, MEDIA_TYPE)][:MOST]
+    artifacts = [it for name in listed if (it := registry.manifest(repository, name)) and it.layers]
+    if not artifacts:
+        return ()
+    newest = max(artifacts, key=lambda it: it.annotations.get(CREATED, ""))
+    content = registry.part(repository, newest.layers[0], LARGEST)
+    try:
+        document = _Document.model_validate(untrusted.json_value(content, LARGEST))
+    except ValueError:
+        raise RosmlError(
+            f"{repository}@{newest.digest} is no OpenVEX", "delete that artifact in the registry"
+        ) from None
+    name = product(f"{repository}@{digest}")
+    return tuple(
+        _judged(it, [component.id for component in about.subcomponents])
+        for it in document.statements
+        for about in it.products
+        if about.id in (name, name.replace("%3A", ":"))
+    )
+
+
+def _judged(statement: _Statement, components: list[str]) -> Statement:
+    return Statement(
+        advisory=statement.vulnerability.name,
+        status=statement.status,
+        justification=statement.justification,
+        reason=(statement.status_notes or statement.impact_statement)[:1000],
+        action=statement.action_statement[:1000],
+        components=components,
+    )
+
+
+def about(statements: Iterable[Statement], advisory: str, purl: str) -> Statement | None:
+    """What is said of an advisory in a component; None if nothing is."""
+    names = {*_names(purl), purl}
+    return next((it for it in statements if it.advisory == advisory and names & {*it.components}), None)

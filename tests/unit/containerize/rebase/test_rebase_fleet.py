@@ -18,6 +18,7 @@ from rosml.containerize.rebase.rebaser import Rebaser
 from rosml.containerize.rebase.screen import Screen, require_advisory
 from rosml.images.publish import undo
 from rosml.images.records.store import Records
+from rosml.images.scan import vex
 from rosml.images.scan.trivy import Report
 from rosml.registry import place as places
 from rosml.registry.client import Registries, Registry
@@ -257,5 +258,7 @@ def test_only_apps_with_a_vulnerability_move(place: Place) -> None:
     outcomes = run(place, *names.values(), screen=Screen("CVE-2026-1", report))
     assert states(outcomes) == {"below:latest": "moved", "itself:latest": "refused", "fixed:latest": "unaffected"}
     assert "libssl3 3.0.1 (fixed in 3.0.2) has CVE-2026-1, and" in outcomes["itself:latest"].reason
+    (statement,) = vex.read(place.registry, "me/below", place.digest(names["below"]))
+    assert (statement.advisory, statement.status) == ("CVE-2026-1", "fixed") and "libssl3 3.0.1" in statement.reason
     with pytest.raises(RosmlError, match="is no name of an advisory"):
         require_advisory("the bad one")
