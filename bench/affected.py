@@ -19,8 +19,7 @@ from rosml.containerize.affected.images import Images
 from rosml.containerize.affected.inventory import Matches
 from rosml.containerize.affected.query import Query
 from rosml.containerize.affected.search import Search
-from rosml.containerize.build.bake_file import BASE_DIGEST, BASE_NAME
-from rosml.images.image_set.labels import APP
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME
 from rosml.images.scan import cyclonedx, sbom
 from rosml.images.scan.packages import Apt, Packages, System
 from rosml.images.scan.trivy import Trivy

@@ -8,9 +8,8 @@ from functools import cache
 
 from rosml.base.errors import RosmlError
 from rosml.containerize.affected.inventory import Contents, Inventory
-from rosml.containerize.build.bake_file import BASE_NAME
 from rosml.containerize.rebase.attachments import base_of
-from rosml.images.image_set.labels import APP
+from rosml.images.image_set.labels import APP, BASE_NAME
 from rosml.images.join import facts
 from rosml.images.join.layers import Source, platform
 from rosml.images.join.transfer import MEMBERS, Transfer

@@ -5,7 +5,7 @@ from __future__ import annotations
 import marshal
 import threading
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -62,7 +62,7 @@ class Inventory:
 
     components: list[Component] = field(default_factory=list)
     _numbers: dict[Component, int] = field(default_factory=dict)
-    _same: defaultdict[str, dict[bytes, int]] = field(default_factory=lambda: defaultdict(dict))
+    _same: defaultdict[str, dict[Hashable, int]] = field(default_factory=lambda: defaultdict(dict))
     _lock: Any = field(default_factory=threading.Lock)
 
     def read(self, sbom: Sbom) -> Contents:
@@ -77,12 +77,12 @@ class Inventory:
         return Contents(numbers, tuple(notes))
 
     def _numbered(self, items: Iterable[dict[str, Any]], system: str) -> frozenset[int]:
-        """The numbers of an SBOM's packages. SBOMs share most of them: what was read before is only looked up, by its bytes."""
+        """The numbers of an SBOM's packages. SBOMs share most of them: what was read before is only looked up."""
         same, numbers = self._same[system], set[int]()
         for item in items:
             if item.get("type") != "library":
                 continue
-            key = marshal.dumps(item, 2)  # a format without references, in which equal values have equal bytes
+            key = _key(item)
             number = same.get(key)
             if number is None:
                 component = _component(item, _properties(item), system)
@@ -132,6 +132,17 @@ class Inventory:
         components = [*([of_system] if system else []), *libraries]
         document = {"bomFormat": "CycloneDX", "specVersion": "1.6", "version": 1, "metadata": about}
         return oci.encoded({**document, "components": components})
+
+
+def _key(item: dict[str, Any]) -> Hashable:
+    """What of a component is read, so that it is read once."""
+    try:
+        properties = [(it["name"], it["value"]) for it in item.get("properties", ())]
+        key = item["purl"], item["name"], item["version"], *properties
+        hash(key)
+    except (KeyError, TypeError):  # a stranger's SBOM
+        return marshal.dumps(item, 2)  # a format without references, in which equal values have equal bytes
+    return key
 
 
 def _library(ref: str, component: Component, family: str) -> dict[str, Any]:

@@ -6,11 +6,11 @@ import re
 from dataclasses import dataclass
 from typing import NamedTuple
 
+from packaging.utils import canonicalize_name
 from packaging.version import InvalidVersion, Version
 
 from rosml.base.errors import RosmlError
 from rosml.containerize.rebase import debian
-from rosml.containerize.rebase.attachments import normalized
 from rosml.images.scan.policy import ADVISORY
 
 KINDS = ("deb", "pypi", "ros")
@@ -70,7 +70,7 @@ class Query:
             return self._is_in_range(component.kind, component.source_version)
         names = (self.package, component.name)
         if component.kind == "pypi":
-            names = (normalized(names[0]), normalized(names[1]))
+            names = (canonicalize_name(names[0]), canonicalize_name(names[1]))
         return names[0] == names[1] and self._is_in_range(component.kind, component.version)
 
     def _is_in_range(self, kind: str, version: str) -> bool | None:
