@@ -58,6 +58,7 @@ from rosml.images.catalogue import scans
 from rosml.images.dossier import fields as dossier_fields
 from rosml.images.dossier import licences, spdx_document
 from rosml.images.dossier import scan as dossier_scan
+from rosml.images.dossier import texts as licence_texts
 from rosml.images.dossier.bill import Bill
 from rosml.images.dossier.evidence import Origin
 from rosml.images.image_set import labels, load, lock_file, restricted, system
@@ -321,6 +322,13 @@ def layer_of(document: bytes, folder: Path) -> object:
     )
     texts, _ = apt_sources.read_layer(registry, references.Reference("registry.test", "base", "1"), facts)
     return apt_sources.parse(texts, "base")
+
+
+def texts_of(document: bytes, folder: Path) -> object:
+    registry = Sent()
+    registry.document = document
+    facts = Descriptor(mediaType=oci.IMAGE, digest=documents.DIGEST, size=len(document))
+    return licence_texts.of_layer(registry, "robot", facts, {"usr/share/doc/a/copyright"})
 
 
 def archived(index: bytes = b"", manifest: bytes = b"", config: bytes = documents.SAVED) -> bytes:
@@ -802,6 +810,7 @@ PARSERS: dict[str, Parser] = {
     ),
     "SBOM": Parser("json", as_json(documents.SBOM), sbom_of),
     "SBOM of a dossier": Parser("json", as_json(documents.SBOM), dossier_of),
+    "texts of licences in a layer": Parser("tar", [tar_of(("usr/share/doc/a/copyright", b"MIT"))], texts_of),
     "provenance of a dossier": Parser("json", as_json({"predicate": {"buildDefinition": {"resolvedDependencies": [{"name": "a", "digest": {"sha256": "0"}}]}}}), provenance_of),
     "VEX of a dossier": Parser("json", as_json({"statements": [{"vulnerability": {"name": "CVE-2026-1"}, "products": [{"subcomponents": [{"@id": "pkg:deb/debian/a@1"}]}]}]}), vex_of),
     "report of trivy": Parser("json", as_json(documents.REPORT), report_of),

@@ -18,8 +18,8 @@ LARGEST = 1 << 20
 TOGETHER = 200_000_000
 """The most bytes of all texts of an image."""
 
-UNPACKED = 64 << 30
-"""More than any layer has, unpacked."""
+UNPACKED, FILE = 64 << 30, 4 << 30
+"""More than any layer has, unpacked, and more than any file in it: tarfile takes a second to pass over 8 GiB that are not there."""
 
 
 def read(registry: Registry, image: Source, places: set[str], say: Callable[[str], None]) -> dict[str, str]:
@@ -27,13 +27,15 @@ def read(registry: Registry, image: Source, places: set[str], say: Callable[[str
     texts = dict[str, str]()
     for number, layer in enumerate(image.manifest.layers):
         say(f"read layer {number + 1} of {len(image.manifest.layers)}, {units.size(layer.size)}")
-        texts |= _of_layer(registry, image, layer, places)
+        texts |= of_layer(registry, image.repository, layer, places)
         if sum(map(len, texts.values())) > TOGETHER:
             raise RosmlError(f"the texts of licences have more than {units.size(TOGETHER)}")
     return texts
 
 
-def _of_layer(registry: Registry, image: Source, layer: Descriptor, places: set[str]) -> Mapping[str, str]:
+def of_layer(registry: Registry, repository: str, layer: Descriptor, places: set[str]) -> Mapping[str, str]:
+    """The texts of one layer."""
+
     def read(blocks: Iterator[bytes]) -> dict[str, str]:
         try:
             with (
@@ -47,15 +49,15 @@ def _of_layer(registry: Registry, image: Source, layer: Descriptor, places: set[
         except (tarfile.TarError, EOFError, OSError, OverflowError, ValueError) as error:
             raise RosmlError(f"the layer {layer.digest} cannot be read: {error}", "push the image again") from None
 
-    return registry.read_blob(image.repository, layer.digest, read, layer.size)
+    return registry.read_blob(repository, layer.digest, read, layer.size)
 
 
 def _texts(archive: Any, places: set[str]) -> Iterator[tuple[str, str]]:
     room = TOGETHER
     while entry := archive.next():
         archive.members.clear()  # tarfile keeps all members, a hundred thousand in some layers
-        if archive.offset > UNPACKED:
-            raise ValueError(f"it has more than {units.size(UNPACKED)}")
+        if archive.offset > UNPACKED or entry.size > FILE:
+            raise ValueError(f"it has more than {units.size(UNPACKED)}, or a file of more than {units.size(FILE)}")
         path = entry.name.removeprefix("./").lstrip("/")
         if path not in places or not entry.isreg() or entry.size > min(LARGEST, room):
             continue
