@@ -157,6 +157,28 @@ COPY --from=dev /tini /
     )
 
 
+def test_the_dossiers_of_an_app_and_of_its_base_image(compass: Compass, base: str, tmp_path: Path) -> None:
+    """They have what is attached to real images, with the shares of fields that docs/use/dossier.md speaks of."""
+    for reference, more in ((base, set()), (compass.result["run"]["reference"], {"compass", "python3-angles"})):
+        folder = tmp_path / f"{len(more)}-dossier"
+        done = rosml("dossier", reference, "--platform", PLATFORM, "--output", str(folder), "--json")
+        facts = json.loads(done.out)
+        document = json.loads((folder / "sbom.cdx.json").read_text())
+        names = {item["name"] for item in document["components"]}
+        assert names >= {"bash", "ros-core", *more} and facts["components"] == len(document["components"]) > 400
+        fields = {field["name"]: field for field in facts["fields"]}
+        assert all(fields[name]["have"] == facts["components"] for name in ("name", "version", "dependencies"))
+        assert all(lack["reason"] for field in fields.values() for lack in field["lacks"])
+        ends = {end["title"]: end["day"] for end in facts["support"]}
+        assert ends == {"Python": "2027-10-31", "Debian": "2028-06-30", "ROS": "2028-06-30"}
+        assert (folder / "containerize.lock").exists() == bool(more)
+        page = (folder / "index.html").read_text()
+        assert all(f"{name} " in page for name in more) and "no text" not in (folder / "licences.txt").read_text()
+        rosml("dossier", reference, "--platform", PLATFORM, "--output", str(folder), "--format", "spdx")
+        packages = json.loads((folder / "sbom.spdx.json").read_text())["packages"]
+        assert {item["name"] for item in packages[1:]} == names and not (folder / "sbom.cdx.json").exists()
+
+
 def test_what_the_readme_shows_is_what_is_said(published: Publish, services: Services, tmp_path: Path) -> None:
     """The recording's build and its container; unit/project/test_recording.py has its other command. An image has another
     name here."""
