@@ -30,7 +30,7 @@ AFFECTED, UNKNOWN = 3, 4
 
 @click.command(
     "affected",
-    short_help="Says which images have a vulnerability or a package, and what fixes them.",
+    short_help="Says which images have a vulnerability or a package.",
     cls=Command,
     alone=True,
     prints=True,
