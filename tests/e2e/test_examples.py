@@ -12,7 +12,8 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -20,9 +21,11 @@ import pytest
 import yaml
 
 from rosml import ROOT
+from rosml.images.builds.push import COMPRESSION
 from rosml.machine.services import Services
+from tests.e2e import engine
 from tests.e2e.app_builds import build_app, commit, write
-from tests.e2e.calls import NAMESPACE, rosml
+from tests.e2e.calls import NAMESPACE, rosml, wait_until
 from tests.e2e.images import Publish, build, build_file, build_parts, buildx
 from tests.e2e.local_servers import serving
 
@@ -100,10 +103,25 @@ def test_tensorflow_node(services: Services, ros2_tensorflow: str, tmp_path: Pat
 
 
 def test_compose(services: Services, ros2: str, tmp_path: Path) -> None:
-    """Both services side by side, on one network as compose gives them the host's; an engine with compose has not run them."""
-    containers = yaml.safe_load((EXAMPLES / "compose/compose.yaml").read_text())["services"]
-    check = says("the light is in column", *(service["command"] for service in containers.values()))
-    example(services, "compose", ros2, tmp_path, check)
+    """Both services in Docker, each by `docker run` with what compose.yaml says of it; Docker's compose has not run them."""
+    file = yaml.safe_load((EXAMPLES / "compose/compose.yaml").read_text())
+    example(services, "compose", ros2, tmp_path)
+    image = f"{services.registry}/{NAMESPACE}/examples/lights:latest"
+    output = ("--output", f"type=image,name={image},push=true,{COMPRESSION}", "--build-arg", f"BASE_IMAGE={ros2}")
+    buildx(services, *output, str(tmp_path / "compose"))
+    with engine.running() as docker, ExitStack() as after:
+        name = docker.image(services, image, "lights", tmp_path)
+        for service, facts in file["services"].items():
+            after.callback(docker.docker, "rm", "--force", service)
+            options = ("--network", facts["network_mode"], "--ipc", facts["ipc"], "--env", "ROS_DOMAIN_ID=66")
+            started = docker.docker(
+                "run", "--detach", "--name", service, *options, name, *shlex.split(facts["command"])
+            )
+            assert started.code == 0, started.err
+        logs = partial(docker.docker, "logs", "watcher")
+        wait_until(lambda: "the light is in column" in logs().out + logs().err, 60.0, logs)
+        stopped = docker.docker("stop", *file["services"])
+        assert stopped.code == 0 and stopped.out.split() == [*file["services"]], stopped.err
 
 
 @pytest.mark.full(proof="cuda")
