@@ -118,7 +118,7 @@ def test_statements_are_handed_over_as_they_are(world: World) -> None:
 
 
 def packed(content: object) -> str:
-    return base64.b64encode(gzip.compress(json.dumps(content).encode())).decode()
+    return base64.b64encode(gzip.compress(json.dumps(content).encode(), mtime=0)).decode()
 
 
 @pytest.mark.parametrize(
@@ -129,7 +129,7 @@ def packed(content: object) -> str:
         packed({}),
         packed([{"advisory": "CVE-2026-1", "status": "harmless", "components": []}]),
         packed([{"advisory": "CVE-2026-1", "status": "fixed", "components": [], "more": 1}]),
-        base64.b64encode(gzip.compress(b"[" + b" " * vex.LARGEST + b"]")).decode(),
+        base64.b64encode(gzip.compress(b"[" + b" " * vex.LARGEST + b"]", mtime=0)).decode(),
     ],
 )
 def test_statements_that_are_none(text: str) -> None:
