@@ -45,8 +45,8 @@ def main(image: str, platform: str, output: Path | None, **values: Any) -> None:
     """Writes the dossier of IMAGE, and prints how complete its SBOM is.
 
     IMAGE is a complete reference in any registry. The dossier has the SBOM, VEX, vulnerabilities, licences, ends of support,
-    provenance, the state of the signature, the lock and a page that you can read and print. Read access is enough: rosml reads
-    what is attached to the image, and no layer without --with-texts. What is not there is on the page, with the reason.
+    provenance, the state of the signature, the lock and a page that you can read and print. Read access is enough: what is
+    attached to the image is read, and no layer without --with-texts. What is not there is on the page, with the reason.
 
     Exit codes: 0 if the dossier was written, whatever it lacks; 1 if nothing could be written; 2 if the input was wrong, such as
     an image that is gone.

@@ -151,7 +151,7 @@ def _sbom(dossier: Dossier, registry: Registry, request: Request) -> Sbom | None
         return None
     missing += [f"the SBOM {it.digest} does not count: {it.why}" for it in answer.ignored]
     if not answer.sboms:
-        missing.append("SBOM: rosml attached none; build the image again with this rosml, and without --no-sbom")
+        missing.append("SBOM: none of rosml is attached; build the image again with this rosml, and without --no-sbom")
         return None
     covered = [it for it in zip(answer.artifacts, answer.sboms, strict=True) if evidence.names_sbom(image, it[0])]
     if len(answer.sboms) > 1 and not covered:

@@ -69,7 +69,7 @@ def attach(
     try:
         read = [of_image(registries(it.host), it.repository, it.digest, it.annotations) for it in sources]
         if without := [source.name for source, sboms in zip(sources, read, strict=True) if not sboms]:
-            say(f"no SBOM for {image.platform}: rosml attached none to {listed(without)}")
+            say(f"no SBOM for {image.platform}, because none of rosml is attached to {listed(without)}")
             return
         content = _content(f"{place.host}/{place.repository}@{image.digest}", image.config, read)
         subject = oci.descriptor(oci.IMAGE, image.manifest)

@@ -98,7 +98,7 @@ def test_an_image_of_somebody_else(place: Shop, tmp_path: Path) -> None:
     reference = Tiny({}, unlisted=True).put(place.registry, "their/image", "latest")
     dossier = place.dossier(reference)
     assert dossier.missing[0].startswith("rosml did not make this image")
-    assert any(line.startswith("SBOM: rosml attached none") for line in dossier.missing)
+    assert any(line.startswith("SBOM: none of rosml is attached") for line in dossier.missing)
     text = write.write(dossier, tmp_path / "out")[-1].read_text()
     assert "There is no SBOM." in text and "Its labels do not say." in text
 

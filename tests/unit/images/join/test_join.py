@@ -322,7 +322,7 @@ def test_command(place: Place, capsys: pytest.CaptureFixture[str]) -> None:
     images = [place.ros(), *place.stack()]
     tag = f"{place.server.address}/me/mine:x"
     code, out, err = call(capsys, *images, "--tag", tag)
-    assert code == 0 and f"no SBOM for linux/amd64: rosml attached none to {images[0]}, " in err
+    assert code == 0 and f"no SBOM for linux/amd64, because none of rosml is attached to {images[0]}, " in err
     lines = out.splitlines()
     assert lines[0] == f"{tag}@{place.registry.head('me/mine', 'x')}"
     assert lines[1] == "linux/amd64: 4 layers (4 mounted)" and "uploaded in" in lines[2]

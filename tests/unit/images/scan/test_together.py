@@ -76,7 +76,7 @@ def test_a_join_with_an_image_without_an_sbom_has_none(place: Place) -> None:
     """It would look as if the image had nothing more."""
     cuda = place.put(part("cuda", "cu128"), "cuda")
     assert owners(place, join(place, base(place), cuda, tag="x")) == {}
-    assert place.lines == [f"no SBOM for {AMD64}: rosml attached none to {cuda}"]
+    assert place.lines == [f"no SBOM for {AMD64}, because none of rosml is attached to {cuda}"]
 
 
 def test_whose_a_component_of_an_app_is(place: Place) -> None:
