@@ -6,11 +6,9 @@ OpenVEX 0.2.0 (https://github.com/openvex/spec/blob/main/OPENVEX-SPEC.md), and t
 from __future__ import annotations
 
 import base64
-import binascii
 import gzip
 import hashlib
 import uuid
-import zlib
 from collections import defaultdict
 from collections.abc import Iterable, Sequence
 from typing import Annotated, Any, Literal
@@ -20,7 +18,7 @@ from packageurl import PackageURL
 from pydantic import ConfigDict, Field
 
 from rosml import __version__
-from rosml.base import untrusted
+from rosml.base import archives, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.shapes import Shape, adapter
 from rosml.images.records.store import CREATED
@@ -93,12 +91,9 @@ def packed(judged: Sequence[Statement]) -> str:
 def unpacked(text: str) -> list[Statement]:
     """Statements of `packed`. ValueError if they are none, or too many."""
     try:
-        reader = zlib.decompressobj(wbits=31)
-        data = reader.decompress(base64.b64decode(text, validate=True), LARGEST)
-    except (binascii.Error, zlib.error):
-        raise ValueError("its statements of VEX are damaged") from None
-    if reader.unconsumed_tail:
-        raise ValueError("it has too many statements of VEX")
+        data = archives.gunzipped(base64.b64decode(text, validate=True), LARGEST)
+    except ValueError:  # also of base64
+        raise ValueError("its statements of VEX are damaged, or too many") from None
     return _STATEMENTS.validate_json(untrusted.json_text(data, LARGEST))
 
 

@@ -347,7 +347,7 @@ def of_systemd(document: str) -> list[str]:
 def of_kubernetes(document: str) -> list[str]:
     (only,) = yaml.safe_load(document)["spec"]["template"]["spec"]["containers"]
     (value,) = [item["value"] for item in only["env"] if item["name"] == "A"]
-    assert "$" not in "".join([*only["args"], value]).replace("$$", "")
+    assert not any("$(" in text.replace("$$", "") for text in (*only["args"], value))
     return [word.replace("$$", "$") for word in (*only["args"], value)]
 
 
