@@ -48,7 +48,7 @@ def main() -> None:
 
     \b
     Examples:
-      rosml env add lerobot 'lerobot==0.4.4' --image ros1-bookworm-core-torch-cpu
+      rosml env add lerobot 'lerobot==0.4.4' --image ros1-bookworm-core-torch-cu128
       rosml env build lerobot
     """
 
