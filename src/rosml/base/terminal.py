@@ -40,7 +40,7 @@ GitHub trims a line before it looks for `::`, and finds `##[` anywhere."""
 def shown(text: str) -> str:
     """A text from outside that is safe to print: without commands to the terminal or to CI."""
     text = _CONTROL.sub(r"\1", text)
-    if os.environ.get("GITHUB_ACTIONS") == "true":
+    if (":" in text or "#" in text) and os.environ.get("GITHUB_ACTIONS") == "true":
         text = _COMMAND.sub(lambda match: f"{match[1]}: " if match[1] is not None else " #", text)
     return text
 

@@ -1,4 +1,4 @@
-"""Parsers of what others wrote take any document: they read it, or say what is wrong and what to do, in a second and 200 MB."""
+"""Parsers of what others wrote take any document: they read it, or say what is wrong and what to do, in seconds and 200 MB."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def test_a_parser_takes_any_document(name: str) -> None:
     [
         ("hang", "it ends the process with -27"),  # SIGPROF
         ("crash", "it ends the process with -11"),
-        ("slow", "it (takes 1|ends the process with -27)"),
+        ("slow", "it (takes 3|ends the process with -27)"),
         ("waste", "MemoryError"),
         ("traceback", "KeyError: 'name'"),
         ("helpless", "no remedy"),

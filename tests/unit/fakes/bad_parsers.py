@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 from typing import NoReturn
 
-from fakes.fuzz import Parser
+from fakes.fuzz import SECONDS, Parser
 from rosml.base.errors import RosmlError
 
 
@@ -24,7 +24,7 @@ def crash(document: bytes, folder: Path) -> None:
 
 def slow(document: bytes, folder: Path) -> None:
     started = time.process_time()
-    while time.process_time() - started < 1.2:
+    while time.process_time() - started < 1.2 * SECONDS:
         pass
 
 

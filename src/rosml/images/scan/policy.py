@@ -11,6 +11,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
+from rosml import ROOT
 from rosml.base.problems import Problem, counted
 from rosml.images.matrix import source, validate
 from rosml.images.matrix.patterns import Facts, only_whole
@@ -165,7 +166,10 @@ def load(file: Path) -> Rules:
 
 
 def ending(file: Path, today: date) -> list[str]:
-    """The entries of a policy that end within thirty days, each with its file and line. Raises as `load`."""
+    """The entries of a policy that end within thirty days, each with its file and line. A checkout that scans nothing has no
+    policy, and no entries. Raises as `load`."""
+    if file == ROOT / "scan.yaml" and not file.exists():
+        return []
     rules = load(file)
     return [problem.message(rules.document.name) for problem in rules.ending(today)]
 
