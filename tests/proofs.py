@@ -30,7 +30,7 @@ PROOFS = {
     # A user without root who has Docker, and nothing else: the first image, and what people do with it.
     "docker": Proof(8, needs=("engine",)),
     # rosml run, attach, dev and what they export with podman, with root too.
-    "engines": Proof(8),
+    "engines": Proof(11),
     # What users install next by pip and uv leaves PyTorch, TensorFlow, CUDA and ROS as they are.
     "everyday": Proof(20),
     # A fork made from the documentation, step by step, passes its own unit tests.

@@ -147,6 +147,7 @@ def unit_words(person: Person, document: str) -> list[str]:
     return units.started(words)
 
 
+@pytest.mark.full(proof="engines")
 def test_a_package_is_worked_on(person: Person, published: Publish, services: Services) -> None:
     """`rosml dev`: podman takes the image from the local registry, and what is built belongs to whoever calls."""
     if person.become and services.builder_kind != "buildkitd":
