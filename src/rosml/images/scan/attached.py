@@ -53,22 +53,33 @@ def read(
     largest: int = LARGEST,
     is_of: Callable[[Sbom, str], bool] = Sbom.is_of,
 ) -> Attached:
-    """The SBOMs of the manifest of an image for one platform, of at most `largest` bytes. If it is gone, there are none."""
+    """The SBOMs of the manifest of an image for one platform, of at most `largest` bytes together. If it is gone, there are none.
+
+    The smallest are read first, so that a large one of somebody else does not take the place of ours.
+    """
     listed = sorted({entry["digest"] for entry in registry.referrers(repository, digest, MEDIA_TYPE)})
     ignored = [Ignored(name, f"only {MOST} are read") for name in listed[MOST:]]
-    newest, older = dict[str, Sbom](), dict[str, Sbom]()
+    candidates = list[tuple[int, str, Manifest]]()
     for name in listed[:MOST]:
         artifact = registry.manifest(repository, name)
         why = _refused(artifact, digest, largest)
-        if not why and artifact:
-            sbom = Sbom(registry.part(repository, artifact.layers[0], largest))
-            if why := _of_another(sbom, digest, is_of):
-                ignored.append(Ignored(name, why))
-            else:
-                (newest if artifact.annotations.items() >= FORMAT.items() else older)[name] = sbom
+        if artifact and not why:
+            candidates.append((artifact.layers[0].size, name, artifact))
         else:
             ignored.append(Ignored(name, why))
-    ours = newest or older
+    newest, older, total = dict[str, Sbom](), dict[str, Sbom](), 0
+    for size, name, artifact in sorted(candidates, key=lambda it: it[:2]):
+        total += size
+        if total > largest:
+            why = f"at most {units.size(largest)} of SBOMs are read of an image, the smallest first"
+            ignored.append(Ignored(name, why))
+            continue
+        sbom = Sbom(registry.part(repository, artifact.layers[0], largest))
+        if why := _of_another(sbom, digest, is_of):
+            ignored.append(Ignored(name, why))
+        else:
+            (newest if artifact.annotations.items() >= FORMAT.items() else older)[name] = sbom
+    ours = dict(sorted((newest or older).items()))
     return Attached(tuple(ours.values()), tuple(ignored), tuple(ours))
 
 

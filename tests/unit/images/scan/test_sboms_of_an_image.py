@@ -9,6 +9,7 @@ from dataclasses import replace
 import pytest
 
 from fakes.memory_registry import HOST, MemoryRegistry, put_image, sbom_of
+from rosml.base import units
 from rosml.base.errors import RosmlError
 from rosml.images.scan import attached
 from rosml.images.scan.sbom import FORMAT, LARGEST, MEDIA_TYPE
@@ -77,6 +78,16 @@ def test_one_beyond_the_limit_is_not_downloaded() -> None:
     image.registry.blobs[PATH].clear()
     [ignored] = image.read().ignored
     assert ignored.why == "it has 200.0 MB, and at most 200.0 MB are read"
+
+
+def test_all_together_have_one_limit_and_a_large_one_hides_no_smaller_one() -> None:
+    image = Image()
+    documents = [image.document(*map(str, range(number))) for number in (1, 20, 30)]
+    small, middle, large = map(image.attach, documents)
+    limit = len(documents[0]) + len(documents[2])
+    answer = attached.read(image.registry, PATH, image.digest, limit)
+    assert {*answer.artifacts} == {small, middle} and {it.digest for it in answer.ignored} == {large}
+    assert answer.ignored[0].why == f"at most {units.size(limit)} of SBOMs are read of an image, the smallest first"
 
 
 def test_only_some_of_many_are_read() -> None:
