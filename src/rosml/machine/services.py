@@ -7,6 +7,7 @@ import os
 import re
 import ssl
 import subprocess
+import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -85,6 +86,11 @@ class Services:
     @property
     def state(self) -> Path:
         return self.root / ".state"
+
+    def temporary_folder(self) -> tempfile.TemporaryDirectory[str]:
+        """A folder for the files of one call of the builder, on the disk of the state."""
+        (self.state / "tmp").mkdir(parents=True, exist_ok=True)
+        return tempfile.TemporaryDirectory(dir=self.state / "tmp")
 
     def environment(self) -> dict[str, str]:
         """The environment for buildx and uv: this process' own, with our builder and folders, and the user's certificates."""

@@ -71,7 +71,7 @@ def add(**options: Any) -> None:
     """Resolves the environment NAME on an image, and writes its lock for each architecture.
 
     A REQUIREMENT is a package as pip writes it, a requirements.txt or a pyproject.toml. Without any, those of the earlier call
-    count. Only wheels are installed.
+    count, and --without leaves out more. Only wheels are installed.
     """
     from rosml.images.environments import add as adding
     from rosml.images.environments import declaration
@@ -80,12 +80,13 @@ def add(**options: Any) -> None:
     call = _Call(**options)
     place = call.folder / declaration.require_name(call.name)
     words = call.requirements
-    request = declaration.declared(words, call.without) if words else declaration.read(place)
-    image_set = load.load_one(call.matrix, call.image, ROOT)
+    earlier = None if words else declaration.read(place)
+    request = declaration.leaving_out(earlier, call.without) if earlier else declaration.declared(words, call.without)
+    image_set = load.load(call.matrix, ROOT)
     locks = adding.resolved(adding.Request(call.name, request, place, call.upgrade), image_set, call.image, say)
-    if words:
+    if request != earlier:
         declaration.write(place, request)
-    adding.write(place, (it.lock for it in locks))
+    adding.write(place, (it.lock for it in locks), image_set.matrix.architectures)
     _show(place, locks, call.as_json)
 
 
@@ -127,8 +128,9 @@ def build(name: str, folder: Path, matrix: Path, namespace: str, as_json: bool) 
     from rosml.images.image_set import load
     from rosml.machine.services import Services
 
-    locks = building.read(folder / declaration.require_name(name), name)
+    declaration.require_name(name)
     image_set = load.load(matrix, ROOT)
+    locks = building.read(folder / name, name, image_set.matrix.architectures)
     services = Services.load(ROOT)
     services.require_registry()
     services.require_builder()

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
@@ -92,8 +91,7 @@ def _listings(
     file.parent.mkdir(parents=True, exist_ok=True)
     blocks = [hcl.block("target", target, {"inherits": [CONTENTS]}) for target in dict.fromkeys(targets)]
     files.write(file, "\n".join([bake_file.excerpt(image_set, [CONTENTS]), *blocks]))
-    (services.state / "tmp").mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=services.state / "tmp") as folder:
+    with services.temporary_folder() as folder:
         sets = []
         for target, (repository, manifest) in zip(targets, images, strict=True):
             config = registry.config(repository, manifest)

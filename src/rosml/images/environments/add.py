@@ -13,12 +13,12 @@ from rosml.base.problems import listed
 from rosml.images.bake.targets import unlocked
 from rosml.images.environments import lock as locks
 from rosml.images.environments.declaration import Declaration
-from rosml.images.environments.lock import WHEELS, Lock, NoSolution, Provider
+from rosml.images.environments.lock import Lock, NoSolution, Provider
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.locks.index import Index, WheelTarget
 from rosml.images.locks.installs import GLIBC
-from rosml.images.locks.uv import Uv
+from rosml.images.locks.uv import Uv, with_glibc
 from rosml.images.matrix.model import Matrix
 
 
@@ -67,8 +67,8 @@ def resolved(
             try:
                 lock = locks.resolved(request.name, request.declaration, provider, uv, previous)
             except NoSolution as error:
-                raise _refused(request.declaration, image_set.matrix, provider, uv, error) from None
-            every.append(Sized(lock, _size(index, lock)))
+                raise _refused(request.declaration, image_set, image, provider, uv, error) from None
+            every.append(Sized(lock, _size(index, lock, provider.wheels)))
     return every
 
 
@@ -81,43 +81,48 @@ def provider_of(matrix: Matrix, image: Image, architecture: str) -> Provider:
         if path.split("/")[2] == architecture:
             packages |= lock_file.versions(files.text(ROOT / path))
     releases = {lock_file.package_name(item) for item in matrix.families}
-    return Provider(image.target, architecture, image.python, GLIBC[image.os], packages, releases)
+    glibc = GLIBC[image.os]
+    wheels = with_glibc(matrix.architectures[architecture].wheels, glibc)
+    return Provider(image.target, architecture, image.python, glibc, wheels, packages, releases)
 
 
-def _refused(declaration: Declaration, matrix: Matrix, provider: Provider, uv: Uv, error: NoSolution) -> RosmlError:
+def _refused(
+    declaration: Declaration, image_set: ImageSet, image: Image, provider: Provider, uv: Uv, error: NoSolution
+) -> RosmlError:
     """The error about an environment that does not fit, with what would."""
     if not locks.fits(declaration, provider, {}, uv):
         text = f"no set of wheels for Python {provider.python} on {provider.architecture} is what it asks for:\n{error.reason}"
         remedy = "relax the requirements, name an image with another Python, or leave a package out: --without PACKAGE"
         return RosmlError(text, remedy, exit_code=2)
-    fitting = [*_fitting(declaration, matrix, provider, uv)]
+    fitting = [*_fitting(declaration, image_set, image, provider, uv)]
     remedy = f"name an image of another stack: {listed(fitting, last='or')}" if fitting else "relax the requirements"
     return RosmlError(error.message, f"{remedy}; or an image without a framework, beside which it has its own", 2)
 
 
-def _fitting(declaration: Declaration, matrix: Matrix, provider: Provider, uv: Uv) -> Iterator[str]:
-    """Stacks with releases that fit, in words: `cu128 has torch 2.10.0`."""
-    for stack, facts in matrix.stacks.items():
-        has = {
-            name: version
-            for name, version in facts.releases.items()
-            if name in provider.pinned and provider.python in matrix.release(stack, name).python
-        }
-        if has and has != {name: provider.pinned[name] for name in has} and locks.fits(declaration, provider, has, uv):
-            yield f"{stack} has {listed([f'{name} {version}' for name, version in has.items()])}"
+def _fitting(declaration: Declaration, image_set: ImageSet, image: Image, provider: Provider, uv: Uv) -> Iterator[str]:
+    """The same image of other stacks with releases that fit, in words: `ros1-bookworm-core-torch-cu128 has torch 2.10.0`."""
+
+    def content(item: Image) -> tuple[object, ...]:
+        return item.distribution, item.component, item.framework, item.addons
+
+    for other in image_set.images:
+        if other.locked and content(other) == content(image) and provider.architecture in other.architectures:
+            has = provider_of(image_set.matrix, other, provider.architecture).pinned_releases
+            if has != provider.pinned_releases and locks.fits(declaration, provider, has, uv):
+                yield f"{other.target} has {listed([f'{name} {version}' for name, version in has.items()])}"
 
 
-def _size(index: Index, lock: Lock) -> int:
+def _size(index: Index, lock: Lock, wheels: str) -> int:
     """The bytes of a lock's wheels."""
     pins = {pin.name: pin.version for pin in lock.pins}
-    target = WheelTarget(lock.python, WHEELS[lock.architecture].format(lock.glibc))
+    target = WheelTarget(lock.python, wheels)
     return sum(wheel.size for wheel in index.wheels(target, pins).values()) if pins else 0
 
 
-def write(folder: Path, every: Iterable[Lock]) -> None:
-    """Writes locks, and removes those of architectures that the image does not have."""
+def write(folder: Path, every: Iterable[Lock], architectures: Iterable[str]) -> None:
+    """Writes locks, and removes those of `architectures` that the image does not have."""
     folder.mkdir(parents=True, exist_ok=True)
     texts = {folder / f"{lock.architecture}.txt": str(lock) for lock in every}
     files.write_all(texts)
-    for architecture in WHEELS.keys() - {file.stem for file in texts}:
-        (folder / f"{architecture}.txt").unlink(missing_ok=True)
+    for file in {folder / f"{architecture}.txt" for architecture in architectures} - texts.keys():
+        file.unlink(missing_ok=True)

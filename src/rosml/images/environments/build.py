@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import tempfile
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -18,7 +17,7 @@ from rosml.images.builds import base_images, contents
 from rosml.images.builds.push import Push, push
 from rosml.images.environments import lock as locks
 from rosml.images.environments.declaration import FOLDER
-from rosml.images.environments.lock import WHEELS, Lock
+from rosml.images.environments.lock import Lock
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import ENVIRONMENTS, ImageSet
 from rosml.machine import buildx
@@ -41,9 +40,9 @@ class BuiltEnvironment:
         return asdict(self)
 
 
-def read(folder: Path, name: str) -> list[Lock]:
+def read(folder: Path, name: str, architectures: Iterable[str]) -> list[Lock]:
     """The locks of an environment, one for each architecture. Raises a RosmlError if there is none, or they do not go together."""
-    every = [locks.read(file) for arch in WHEELS if (file := folder / f"{arch}.txt").is_file()]
+    every = [locks.read(file) for item in architectures if (file := folder / f"{item}.txt").is_file()]
     again = "make them again: rosml env add NAME --image IMAGE"
     if not every:
         raise RosmlError(f"{folder} has no lock", again, exit_code=2)
@@ -63,7 +62,7 @@ def publish(
     """Builds an environment from its locks, pushes it and what it has, and moves its tag. `prefix`: the registry, and the path before `env`."""
     started, first = time.monotonic(), every[0]
     place = references.parse(f"{prefix}/{ENVIRONMENTS}")
-    with tempfile.TemporaryDirectory(dir=_folder(services)) as folder:
+    with services.temporary_folder() as folder:
         for item in every:
             Path(folder, f"{item.architecture}.txt").write_text(str(item))
         call = _bake(services, image_set, every, Path(folder))
@@ -81,12 +80,6 @@ def publish(
         dict(zip(_platforms(image_set, every), sizes, strict=True)),
         time.monotonic() - started,
     )
-
-
-def _folder(services: Services) -> Path:
-    folder = services.state / "tmp"
-    folder.mkdir(parents=True, exist_ok=True)
-    return folder
 
 
 def _platforms(image_set: ImageSet, every: Sequence[Lock]) -> list[str]:

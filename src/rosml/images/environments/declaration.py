@@ -83,7 +83,15 @@ def _lines(facts: dict[str, list[str]]) -> Iterator[str]:
 
 def declared(words: Iterable[str], without: Iterable[str]) -> Declaration:
     """What words of a command line ask for: requirements, and files that have some (requirements.txt, pyproject.toml)."""
-    requirements = [item for word in words for item in _of_word(word)]
+    return _checked((item for word in words for item in _of_word(word)), without)
+
+
+def leaving_out(declaration: Declaration, packages: Iterable[str]) -> Declaration:
+    """A declaration that leaves out these packages as well."""
+    return _checked(declaration.requirements, (*declaration.without, *packages))
+
+
+def _checked(requirements: Iterable[str], without: Iterable[str]) -> Declaration:
     try:
         return Declaration(requirements=[*dict.fromkeys(requirements)], without=[*dict.fromkeys(without)])
     except ValidationError as error:

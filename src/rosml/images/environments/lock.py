@@ -20,9 +20,6 @@ from rosml.images.locks.resolve import Pin
 from rosml.images.locks.uv import Uv, compile_command
 from rosml.images.matrix.patterns import PYTHON
 
-WHEELS = {"amd64": "x86_64-manylinux_2_{}", "arm64": "aarch64-manylinux_2_{}"}
-"""uv's name of the wheel platform of an architecture, without the N of glibc 2.N."""
-
 _PIN = r"[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+"
 
 _WHOLE = re.compile(
@@ -43,6 +40,7 @@ class Provider:
     architecture: str
     python: str  # such as 3.11
     glibc: int  # the N of its glibc 2.N
+    wheels: str  # uv's name of its wheel platform
     packages: Mapping[str, str]  # versions of the packages of its parts, by their normalized names
     releases: Collection[str] = ()  # those of them that the image is named by: torch
 
@@ -50,6 +48,10 @@ class Provider:
     def pinned(self) -> dict[str, str]:
         """Its packages with the versions that an index has: one of PyTorch's own index has more behind a plus."""
         return {name: version.partition("+")[0] for name, version in self.packages.items()}
+
+    @property
+    def pinned_releases(self) -> dict[str, str]:
+        return {name: version for name, version in self.pinned.items() if name in self.releases}
 
 
 @dataclass(frozen=True)
@@ -72,9 +74,7 @@ class Lock:
             f"# releases:{_pinned(self.releases)}",
             f"# takes:{_pinned(self.takes)}",
         ]
-        for pin in self.pins:
-            lines.append(" \\\n".join([f"{pin.name}=={pin.version}", *(f"    --hash={it}" for it in pin.hashes)]))
-        return "\n".join(lines) + "\n"
+        return "\n".join([*lines, *map(str, self.pins)]) + "\n"
 
 
 def _pinned(versions: Mapping[str, str]) -> str:
@@ -111,9 +111,8 @@ def resolved(name: str, declaration: Declaration, provider: Provider, uv: Uv, pr
     Raises:
         NoSolution: it does not go with the image's releases, or by itself.
     """
-    releases = {name: version for name, version in provider.pinned.items() if name in provider.releases}
     reason = ""
-    for kept in (provider.pinned, releases):
+    for kept in (provider.pinned, provider.pinned_releases):
         pins, reason = _pins(declaration, provider, kept, uv, previous)
         if pins is not None:
             return _lock(name, declaration, provider, pins)
@@ -129,7 +128,6 @@ def _pins(
     declaration: Declaration, provider: Provider, kept: Mapping[str, str], uv: Uv, previous: str
 ) -> tuple[list[Pin] | None, str]:
     """What uv resolves beside packages in their versions; None with uv's reason if there is no solution."""
-    wheels = WHEELS[provider.architecture].format(provider.glibc)
     inputs = {
         "in.txt": "".join(f"{item}\n" for item in declaration.requirements),
         "constraints.txt": "".join(f"{name}=={version}\n" for name, version in sorted(kept.items())),
@@ -140,7 +138,7 @@ def _pins(
     files_of = ["--constraint", "constraints.txt", "--override", "overrides.txt", "in.txt"]
     earlier = {"out.txt": previous} if previous else {}
     status, text, errors = uv.compile(
-        [*compile_command(provider.python, wheels), *options, *files_of], inputs | earlier
+        [*compile_command(provider.python, provider.wheels), *options, *files_of], inputs | earlier
     )
     if status == 0:
         return resolve.parse(text), ""

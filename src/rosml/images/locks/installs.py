@@ -24,7 +24,7 @@ from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.lock_file import package_name, versions
 from rosml.images.image_set.model import ImageSet
 from rosml.images.locks.index import Index, WheelTarget
-from rosml.images.locks.uv import WORKERS, Uv
+from rosml.images.locks.uv import WORKERS, Uv, with_glibc
 from rosml.images.matrix import names
 from rosml.images.matrix.model import ANY_PYTHON
 
@@ -127,7 +127,7 @@ def _wheels(image_set: ImageSet, environment: Environment) -> WheelTarget:
     """The Python of an environment, and the platform of pip's wheels there."""
     oldest = image_set.matrix.architectures[environment.architecture].wheels
     glibc = GLIBC[_system(image_set, environment)]
-    return WheelTarget(environment.python, re.sub(r"manylinux_2_\d+", f"manylinux_2_{glibc}", oldest))
+    return WheelTarget(environment.python, with_glibc(oldest, glibc))
 
 
 def _slot(

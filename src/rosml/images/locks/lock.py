@@ -92,9 +92,7 @@ def render(request: Request, part: str, pins: list[Pin]) -> str:
         "# Made by 'rosml locks' from matrix.yaml; do not edit.",
         *request.adapted.get(part, ()),
     ]
-    for pin in pins:
-        lines.append(" \\\n".join([f"{pin.name}=={pin.version}", *(f"    --hash={digest}" for digest in pin.hashes)]))
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, *map(str, pins)]) + "\n"
 
 
 @dataclass(frozen=True)

@@ -24,6 +24,10 @@ class Pin:
     hashes: tuple[str, ...]
     wanted_by: frozenset[str]
 
+    def __str__(self) -> str:
+        """Its lines in a lock."""
+        return " \\\n".join([f"{self.name}=={self.version}", *(f"    --hash={digest}" for digest in self.hashes)])
+
 
 def resolve(request: Request, uv: Uv, upgrade: bool = True, previous: str = "") -> list[Pin]:
     """Resolves a request with `uv pip compile`. Without `upgrade`, the versions of `previous` stay if they still fit."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -89,6 +90,11 @@ class Uv:
             self._ended = True
             for process in self._running:
                 process.terminate()
+
+
+def with_glibc(wheels: str, glibc: int) -> str:
+    """uv's name of a platform of wheels, with glibc 2.N instead of the one in it."""
+    return re.sub(r"manylinux_2_\d+", f"manylinux_2_{glibc}", wheels)
 
 
 def compile_command(python: str, wheels: str) -> list[str]:

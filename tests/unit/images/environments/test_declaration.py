@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from rosml.base.errors import RosmlError
-from rosml.images.environments import declaration
+from rosml.cli.images import env
+from rosml.images.environments import add, declaration
 from rosml.images.environments.declaration import FILE, Declaration
 
 
@@ -76,6 +77,17 @@ def test_damaged_declarations(text: str, tmp_path: Path) -> None:
     with pytest.raises(RosmlError) as caught:
         declaration.read(tmp_path)
     assert caught.value.exit_code == 2 and FILE in caught.value.message
+
+
+def test_a_call_without_requirements_leaves_out_more(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(add, "resolved", lambda *_: [])
+    place, call = tmp_path / "policy", ["policy", "--image", "jazzy-base", "--folder", str(tmp_path)]
+    declaration.write(place, Declaration(requirements=["lerobot"], without=["evdev"]))
+    env.main.main(["add", *call, "--without", "opencv-python"], standalone_mode=False)
+    assert declaration.read(place) == Declaration(requirements=["lerobot"], without=["evdev", "opencv-python"])
+    (place / FILE).write_text(f"# why\n{(place / FILE).read_text()}")
+    env.main.main(["add", *call], standalone_mode=False)
+    assert (place / FILE).read_text().startswith("# why")  # nothing new is in it
 
 
 def test_without_a_declaration(tmp_path: Path) -> None:

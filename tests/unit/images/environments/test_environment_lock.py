@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -15,8 +16,16 @@ from rosml.images.environments.lock import NoSolution, Provider
 from rosml.images.image_set import load
 from rosml.images.locks.uv import Uv
 
+WHEELS = "x86_64-manylinux_2_36"
+ARCHITECTURES = ("amd64", "arm64")
 IMAGE = Provider(
-    "robot", "amd64", "3.11", 36, {"torch": "2.10.0+cu128", "numpy": "1.24.2", "nvidia-nccl-cu12": "2.27.5"}, {"torch"}
+    "robot",
+    "amd64",
+    "3.11",
+    36,
+    WHEELS,
+    {"torch": "2.10.0+cu128", "numpy": "1.24.2", "nvidia-nccl-cu12": "2.27.5"},
+    {"torch"},
 )
 WISH = Declaration(requirements=["lerobot==0.4.4"], without=["evdev"])
 HASH = f"    --hash=sha256:{'a' * 64}"
@@ -89,8 +98,8 @@ def test_an_index_that_does_not_answer() -> None:
 
 def test_a_lock_is_read_as_it_was_written(tmp_path: Path) -> None:
     result = lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))
-    add.write(tmp_path, [result])
-    (read,) = build.read(tmp_path, "lerobot")
+    add.write(tmp_path, [result], ARCHITECTURES)
+    (read,) = build.read(tmp_path, "lerobot", ARCHITECTURES)
     assert str(read) == str(result) and read.takes == result.takes and read.glibc == 36
 
 
@@ -111,30 +120,35 @@ def test_a_lock_that_somebody_edited(text: str, other: str, tmp_path: Path) -> N
     assert text in whole
     (tmp_path / "amd64.txt").write_text(whole.replace(text, other))
     with pytest.raises(RosmlError, match="was cut or edited"):
-        build.read(tmp_path, "lerobot")
+        build.read(tmp_path, "lerobot", ARCHITECTURES)
 
 
 def test_locks_of_two_environments(tmp_path: Path) -> None:
     result = lock.resolved("other", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))
-    add.write(tmp_path, [result])
+    add.write(tmp_path, [result], ARCHITECTURES)
     with pytest.raises(RosmlError, match="not of one environment lerobot"):
-        build.read(tmp_path, "lerobot")
+        build.read(tmp_path, "lerobot", ARCHITECTURES)
 
 
 def test_a_new_lock_removes_those_of_other_architectures(tmp_path: Path) -> None:
     (tmp_path / "arm64.txt").write_text("of before")
-    add.write(tmp_path, [lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))])
+    add.write(tmp_path, [lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))], ARCHITECTURES)
     assert [file.name for file in tmp_path.iterdir()] == ["amd64.txt"]
 
 
-def test_it_names_the_stack_that_fits(tmp_path: Path) -> None:
-    target = "ros1-bookworm-core-torch-cu130"
-    image_set = load.load_one(MATRIX, target)
-    uv = Table(VERSIONS, ["torch==2.10.0"])
-    with pytest.raises(RosmlError, match=f"lerobot does not go with {target}") as caught:
-        add.resolved(add.Request("lerobot", WISH, tmp_path), image_set, target, lambda _: None, uv)
-    assert "cu128 has torch 2.10.0" in caught.value.remedy and "cu132" not in caught.value.remedy
-    assert caught.value.exit_code == 2 and not [*tmp_path.iterdir()]
+def test_it_names_images_that_fit_and_can_be_built(tmp_path: Path) -> None:
+    target, other = (f"ros1-bookworm-core-torch-{stack}" for stack in ("cu130", "cu128"))
+    image_set = load.load(MATRIX)
+    unlocked = [replace(it, unlocked=("a lock",)) if it.target == other else it for it in image_set.images]
+    remedies = []
+    for images in (image_set.images, tuple(unlocked)):
+        with pytest.raises(RosmlError, match=f"lerobot does not go with {target}") as caught:
+            request, uv = add.Request("lerobot", WISH, tmp_path), Table(VERSIONS, ["torch==2.10.0"])
+            add.resolved(request, replace(image_set, images=images), target, lambda _: None, uv)
+        assert caught.value.exit_code == 2 and not [*tmp_path.iterdir()]
+        remedies.append(caught.value.remedy)
+    assert f"{other} has torch 2.10.0" in remedies[0] and "cu132" not in remedies[0]
+    assert other not in remedies[1]
 
 
 def test_what_no_wheels_give(tmp_path: Path) -> None:
