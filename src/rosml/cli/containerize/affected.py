@@ -13,6 +13,7 @@ import click
 from rosml import ROOT
 from rosml.base import terminal
 from rosml.base.errors import RosmlError
+from rosml.base.problems import some
 from rosml.cli import command, options
 from rosml.cli.checkout import Command
 from rosml.cli.command import say
@@ -149,9 +150,10 @@ def _print(answers: Sequence[Answer], database: str) -> None:
 
 
 def _hit(hit: Hit) -> str:
-    """Such as `libssl3 3.0.1, fixed in 3.0.15, of part core of the base image; VEX: not affected: …`."""
+    """Such as `libssl3 3.0.1, fixed in 3.0.15, of core, of the base image; VEX: not affected: …`."""
     where = {"base": "of the base image", "app": "of the app", "image": "", "unknown": ""}[hit.origin]
-    parts = [f"of {hit.part}" if hit.part else "", where]
+    causes = [it.package + (f" through {it.through}" if it.through else "") for it in hit.needed_by]
+    parts = [f"of {hit.part}" if hit.part else "", where, f"needed by {some(causes)}" if causes else ""]
     text = ", ".join(filter(None, (f"{hit.name} {hit.version}", f"fixed in {hit.fixed}" * bool(hit.fixed), *parts)))
     verdict = hit.status.replace("_", " ")
     return text + (f"; VEX: {verdict}" + f": {hit.reason}" * bool(hit.reason) if verdict else "")

@@ -7,13 +7,16 @@ from dataclasses import dataclass, field, replace
 from functools import cache
 
 from rosml.base.errors import RosmlError
+from rosml.containerize.affected.causes import Cause, Causes
 from rosml.containerize.affected.inventory import Contents, Inventory
 from rosml.containerize.rebase.attachments import base_of
+from rosml.images.dossier.bill import Bill
 from rosml.images.image_set.labels import APP, BASE_NAME
 from rosml.images.join import facts
 from rosml.images.join.layers import Source, platform
 from rosml.images.join.transfer import MEMBERS, Transfer
 from rosml.images.scan import attached, vex
+from rosml.images.scan.attached import Attached
 from rosml.images.scan.sbom import Sbom
 from rosml.images.scan.vex import Statement
 from rosml.registry.client import Registry
@@ -84,8 +87,7 @@ class Images:
 
     def _contents(self, place: Reference, annotations: tuple[tuple[str, str], ...]) -> Contents:
         """By its own SBOM, or else by those of the images that it is joined from. RosmlError if there is none."""
-        registry = self._registries(place.host)
-        sboms = attached.read(registry, place.repository, place.reference, LARGEST, Sbom.seems_of)
+        registry, sboms = self._registries(place.host), self._attached(place)
         ignored = tuple(f"an attached SBOM does not count: {it.why}" for it in sboms.ignored)
         if not sboms.sboms:
             parts = facts.components(registry, place.repository, place.reference, dict(annotations))
@@ -95,10 +97,21 @@ class Images:
         contents = self.inventory.read(sboms.sboms[0])
         return Contents(contents.numbers, (*contents.notes, *ignored))
 
+    def _attached(self, place: Reference) -> Attached:
+        return attached.read(self._registries(place.host), place.repository, place.reference, LARGEST, Sbom.seems_of)
+
     # ---- What only affected images are asked for -----------------------------------------------------------------------
 
     def source(self, image: Image) -> Source:
         return self._transfer.source(image.name, image.place, image.manifest)
+
+    def causes(self, image: Image, purls: Iterable[str]) -> dict[str, tuple[Cause, ...]]:
+        """Which packages of an app need components of it, by their package URLs; empty if its SBOM is gone by now.
+
+        RosmlError if the registry does not answer, ValueError if the SBOM is damaged.
+        """
+        sboms = self._attached(image.place).sboms
+        return Causes(Bill.of(sboms[0].content)).of_all(purls) if sboms else {}
 
     def _base(self, name: str, key: str) -> Image | None:
         """A base image for one platform, by its tag or digest; None if it is gone, or cannot be read."""

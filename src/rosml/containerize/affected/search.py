@@ -11,6 +11,7 @@ from typing import Any, Literal
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed, some
 from rosml.base.side_by_side import side_by_side
+from rosml.containerize.affected.causes import Cause
 from rosml.containerize.affected.images import Image, Images
 from rosml.containerize.affected.inventory import Matches
 from rosml.containerize.affected.query import Component, Query
@@ -37,6 +38,7 @@ class Hit:
     fixed: str = ""  # the versions that fix it
     status: str = ""  # of VEX
     reason: str = ""  # of VEX
+    needed_by: tuple[Cause, ...] = ()  # of a component that an app brings
 
     @property
     def is_harmless(self) -> bool:
@@ -112,7 +114,7 @@ class Search:
             answer = replace(answer, state="unknown", notes=(*answer.notes, note))
         if not (numbers := self._numbers(image)):
             return answer
-        hits = tuple(self._hit(number, image, below) for number in numbers)
+        hits = self._with_causes(image, [self._hit(number, image, below) for number in numbers])
         state: State = "harmless" if all(hit.is_harmless for hit in hits) else "affected"
         answer = replace(answer, state=state, hits=hits)
         return answer if state == "harmless" else self._with_fix(answer, below)
@@ -132,6 +134,14 @@ class Search:
             statement.status if statement else "",
             statement.reason if statement else "",
         )
+
+    def _with_causes(self, image: Image, hits: Sequence[Hit]) -> tuple[Hit, ...]:
+        purls = [hit.purl for hit in hits if hit.origin == "app" and hit.purl]
+        try:
+            causes = self._images.causes(image, purls) if purls else {}
+        except (RosmlError, ValueError):  # it was read before: the verdict stands without them
+            causes = {}
+        return tuple(replace(hit, needed_by=causes.get(hit.purl, ())) if hit.origin == "app" else hit for hit in hits)
 
     def _statement(self, component: Component, places: Iterable[Any]) -> Statement | None:
         if not self._query.is_advisory:

@@ -22,6 +22,9 @@ MOST = 1000
 _OF_ROS = re.compile(r"ros-[a-z0-9]+-(.+)")
 """A package of ROS's apt repository, with its distribution."""
 
+_OF_ROSDEP = re.compile(r"python3?-(.+?)(?:-pip)?")
+"""A key of rosdep for a wheel: https://github.com/ros/rosdistro/blob/master/CONTRIBUTING.md"""
+
 
 def completed(
     document: Mapping[str, Any], components: Mapping[str, Mapping[str, Any]], needs: Mapping[str, Iterable[str]]
@@ -98,5 +101,7 @@ def _names(need: str) -> Iterator[str]:
         yield f"{kind}:{short}"
     if kind == "ros":
         yield from (f"apt:{name}" for name in (short, f"ros-{short}", f"python3-{short}", f"lib{short}-dev"))
+        if wheel := _OF_ROSDEP.fullmatch(short):
+            yield f"pypi:{wheel[1]}"
     if kind == "pypi":
         yield from (f"apt:python3-{short.removeprefix(prefix)}" for prefix in ("", "python-", "py"))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, cast
@@ -13,11 +14,13 @@ from click.testing import CliRunner
 from fakes.rebasing import FILES, OWN, App, Place, changed, moving, package
 from rosml.cli.containerize import affected
 from rosml.containerize.affected import query
+from rosml.containerize.affected.causes import CAUSES, COMPONENTS, Cause, Causes
 from rosml.containerize.affected.images import Images
 from rosml.containerize.affected.search import Answer, Search
 from rosml.containerize.rebase import screen
 from rosml.containerize.rebase.fleet import Entry, Fleet
-from rosml.images.scan import sbom, vex
+from rosml.images.dossier.bill import Bill
+from rosml.images.scan import cyclonedx, sbom, vex
 from rosml.images.scan.trivy import Report, Trivy
 from rosml.images.scan.vex import Statement
 from rosml.machine.services import Services
@@ -126,6 +129,56 @@ def test_a_package_of_the_app_itself_needs_a_build(place: Place) -> None:
     answer = ask(place, "libssl3<3.0.2", app)["robot"]
     assert (answer.state, answer.hits[0].origin, answer.command) == ("affected", "app", "")
     assert answer.fix.startswith("the app brings libssl3 3.0.1: build it again")
+
+
+def test_which_package_of_the_app_is_the_cause(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Packages that need each other, and references to nothing, are somebody's words."""
+    app = put(place, based(place, "libc6@1"), "robot")
+    of_base = {"properties": [{"name": cyclonedx.PART, "value": "core"}]}
+    components = [
+        {"bom-ref": name, "type": "library", "name": name, "version": "1", "purl": f"pkg:{kind}/{name}@1", **more}
+        for kind, name, more in (
+            ("pypi", "bad", {}),
+            ("pypi", "middle", {}),
+            ("generic/ros", "driver", {}),
+            ("generic/ros", "bringup", {}),
+            ("pypi", "tool", {}),
+            ("deb/debian", "base", of_base),
+            ("pypi", "first", {}),
+            ("pypi", "second", {}),
+        )
+    ]
+    needs: dict[str, list[Any]] = {
+        "middle": ["bad", "middle", "nothing", 3],
+        "driver": ["middle"],
+        "bringup": ["driver"],
+        "tool": ["bad"],
+        "base": ["bad", "second"],
+        "nothing": ["bad"],
+        "first": ["second"],
+        "second": ["first"],
+    }
+    dependencies = [{"ref": ref, "dependsOn": refs} for ref, refs in needs.items()]
+    describe(place, "me/robot", app, [], content={"components": components, "dependencies": dependencies})
+    (hit,) = ask(place, "bad<2", app)["robot"].hits
+    assert hit.needed_by == (Cause("tool 1"), Cause("driver 1", "middle 1"))
+    text = "bad 1, of the app, needed by tool 1, driver 1 through middle 1"
+    assert text in call(place, monkeypatch, "bad<2", app)[1]
+    (hit,) = ask(place, "second", app)["robot"].hits
+    assert hit.needed_by == (Cause("first 1"),)
+    (hit,) = ask(place, "bringup", app)["robot"].hits
+    assert hit.needed_by == ()
+
+
+def test_causes_in_an_sbom_with_very_many_dependencies() -> None:
+    many = range(2000)
+    components = [{"bom-ref": f"{it}", "name": f"{it}", "purl": f"pkg:pypi/{it}"} for it in many]
+    dependencies = [{"ref": f"{it}", "dependsOn": [*map(str, many)]} for it in many]
+    bill = Bill({"components": components, "dependencies": dependencies})
+    started = time.process_time()
+    causes = Causes(bill).of_all(f"pkg:pypi/{it}" for it in many)
+    assert len(causes) == COMPONENTS and {*map(len, causes.values())} == {CAUSES}
+    assert time.process_time() - started < 20
 
 
 def test_vex_says_that_it_does_no_harm(place: Place) -> None:

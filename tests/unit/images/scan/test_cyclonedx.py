@@ -125,6 +125,14 @@ def test_a_ros_package_needs_one_of_its_system(package: str) -> None:
     assert state(content, "ros:robot@1") == ([f"apt:{package}:amd64@2"], "complete", "")
 
 
+def test_a_ros_package_needs_a_wheel_by_the_key_of_rosdep() -> None:
+    ros = [Ros(name="robot", version="1", licenses=[], depends=["python3-flask-cors-pip", "python3-yaml"])]
+    wheels = [Python(name="Flask_Cors", version="6"), Python(name="pip", version="25")]
+    packages = Packages(system=System(name="debian", version="13"), apt=[], python=wheels, ros=ros)
+    content = cyclonedx.document(packages, "x/app@sha256:5", TIME)
+    assert state(content, "ros:robot@1") == (["pypi:flask-cors@6"], "incomplete", "ros:python3-yaml")
+
+
 def test_a_part_of_a_part_keeps_its_name() -> None:
     both = Sbom(json.dumps(of_both()).encode())
     document = json.loads(cyclonedx.joined("x/app@sha256:3", TIME, [("base", both)]))
