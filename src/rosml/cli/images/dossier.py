@@ -12,6 +12,7 @@ import click
 from rosml import MATRIX as MATRIX_FILE
 from rosml import ROOT
 from rosml.base import terminal
+from rosml.base.problems import counted
 from rosml.cli import options
 from rosml.cli.checkout import Command
 from rosml.cli.command import say, warn
@@ -102,7 +103,8 @@ def _print(dossier: Dossier) -> None:
             warn(f"{end.title} {end.version} had its end of support on {end.day}")
     if dossier.scan:
         counts = ", ".join(f"{number} {severity}" for severity, number in dossier.scan.counts) or "none"
-        terminal.echo(f"vulnerabilities, by the database of {dossier.scan.database.updated}: {counts}")
+        database = f"{dossier.scan.database.updated}, {counted(dossier.scan.age, 'day')} old"
+        terminal.echo(f"vulnerabilities, by the database of {database}: {counts}")
     signature = dossier.signature
     terminal.echo(f"signature: {signature.state}{f' ({signature.why})' if signature.why else ''}")
     for line in dossier.missing:

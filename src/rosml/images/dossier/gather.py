@@ -84,6 +84,7 @@ class Dossier:
             "support": [it.to_json() for it in self.ends],
             "vulnerabilities": dict(self.scan.counts) if self.scan else None,
             "database": self.scan.database.updated if self.scan else None,
+            "database_age_in_days": self.scan.age if self.scan else None,
             "signature": self.signature.state,
             "missing": self.missing,
         }

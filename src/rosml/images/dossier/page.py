@@ -105,6 +105,7 @@ def _vulnerabilities(dossier: Dossier) -> str:
         return _say("There was no scan: see what is missing.")
     counts = ", ".join(f"{number:,} {severity}" for severity, number in scan.counts) or "none"
     intro = _say(f"Known to the database of {scan.database.updated}: {counts}. All are in scan.json.")
+    intro += _list(scan.remarks) if scan.remarks else ""
     rows = (
         (it.severity, it.id, f"{it.package} {it.installed}", it.fixed or "no version yet", scan.status(it), it.title)
         for it in scan.findings[:SHOWN]

@@ -27,9 +27,10 @@ FETCH = "fetch a newer one: ./rosml publish scan --fetch"
 
 @dataclass(frozen=True)
 class Scan:
-    """`statuses`: what VEX says of a finding, by advisory and package."""
+    """`age`: of the database, in whole days. `statuses`: what VEX says of a finding, by advisory and package."""
 
     database: Database
+    age: int
     findings: tuple[Finding, ...]
     remarks: tuple[str, ...]
     statuses: Mapping[tuple[str, str], str]
@@ -49,7 +50,11 @@ class Scan:
             | {"vex": self.status(it)}
             for it in self.findings
         ]
-        return {"database": asdict(self.database), "remarks": list(self.remarks), "findings": findings}
+        return {
+            "database": asdict(self.database) | {"age_in_days": self.age},
+            "remarks": list(self.remarks),
+            "findings": findings,
+        }
 
 
 def scan(image: Source, sbom: Sbom, vex: Item | None, root: Path, now: str) -> Scan:
@@ -59,21 +64,16 @@ def scan(image: Source, sbom: Sbom, vex: Item | None, root: Path, now: str) -> S
     part = Part(image.name, image.host, image.repository, image.digest, ros=False)
     report = part_report(trivy.scan(sbom.content, image.name), part)
     remarks = [*report.notes]
-    if age := age_remark(database, now):
-        remarks.append(age)
+    age = _moment(now) - _moment(database.updated)
+    if age > WEEK:
+        remarks.append(
+            f"the database of {database.updated} is {age.days} days old, and lacks newer vulnerabilities; {FETCH}"
+        )
     if lacking := trivy.lacks(sbom.sources):
         remarks.append(f"the database knows nothing of {listed(lacking)}")
     if report.packages != len(sbom.packages):
         remarks.append(f"trivy looked at {report.packages} of {counted(len(sbom.packages), 'package')}")
-    return Scan(database, report.findings, tuple(remarks), statuses(vex or {}))
-
-
-def age_remark(database: Database, now: str) -> str:
-    """Says that a database is older than a week; empty if it is not."""
-    age = _moment(now) - _moment(database.updated)
-    if age <= WEEK:
-        return ""
-    return f"the database of vulnerabilities is {age.days} days old (of {database.updated}); {FETCH}"
+    return Scan(database, max(age.days, 0), report.findings, tuple(remarks), statuses(vex or {}))
 
 
 def _moment(time: str) -> datetime:

@@ -237,10 +237,20 @@ def test_the_newest_vex_that_somebody_vouches_for(place: Shop, monkeypatch: pyte
     assert status_of(signer="key.pub") == ("fixed", True), "it has a signature of its own"
 
 
-def test_a_scan_older_than_a_week_is_said(place: Shop, trivy: Trivy, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(type(trivy), "updated", "2026-11-20T06:00:00Z")
-    says = [line for line in place.dossier(place.base()).missing if line.startswith("scan: ")]
-    assert says == [f"scan: the database of vulnerabilities is 9 days old (of 2026-11-20T06:00:00Z); {scan.FETCH}"]
+@pytest.mark.parametrize(("updated", "age"), [("2026-11-22T12:00:00Z", 7), ("2026-11-20T06:00:00Z", 9)])
+def test_a_scan_older_than_a_week_is_said(
+    place: Shop, trivy: Trivy, monkeypatch: pytest.MonkeyPatch, updated: str, age: int
+) -> None:
+    """As a warning, in JSON, and on the page also beside the vulnerabilities."""
+    monkeypatch.setattr(type(trivy), "updated", updated)
+    dossier = place.dossier(place.base())
+    text = f"the database of {updated} is {age} days old, and lacks newer vulnerabilities; {scan.FETCH}"
+    remarks = [text] if age > 7 else []
+    assert [line for line in dossier.missing if line.startswith("scan: ")] == [f"scan: {it}" for it in remarks]
+    assert dossier.to_json()["database_age_in_days"] == age
+    assert json.loads(dossier.files["scan.json"])["remarks"] == remarks
+    vulnerabilities = page.render(dossier, []).partition("<h2>Vulnerabilities</h2>")[2].partition("</section>")[0]
+    assert (f"<li>{text}</li>" in vulnerabilities) == (age > 7)
 
 
 def test_a_scanner_that_fails(place: Shop, trivy: Trivy, monkeypatch: pytest.MonkeyPatch) -> None:
