@@ -54,7 +54,8 @@ class Place:
     def join(self, *images: str, tag: str = "mine", allow: bool = False, **options: Any) -> JoinReport:
         target = f"{self.server.address}/{options.pop('repository', 'me/mine')}:{tag}"
         with Joiner(self.clients.__getitem__, allow_unlisted=allow, say=self.lines.append) as joiner:
-            return joiner.join(images[0], images[1:], target, options.pop("platforms", ()))
+            local = f"{self.server.address}/local"
+            return joiner.join(images[0], images[1:], target, options.pop("platforms", ()), local)
 
     def manifest(self, repository: str, reference: str) -> Manifest:
         manifest = self.registry.manifest(repository, reference)

@@ -76,9 +76,10 @@ def add(**options: Any) -> None:
     from rosml.images.environments import add as adding
     from rosml.images.environments import declaration
     from rosml.images.image_set import load
+    from rosml.images.join import short_names
 
     call = _Call(**options)
-    place = call.folder / declaration.require_name(call.name)
+    place = call.folder / short_names.require(call.name)
     words = call.requirements
     earlier = None if words else declaration.read(place)
     request = declaration.leaving_out(earlier, call.without) if earlier else declaration.declared(words, call.without)
@@ -124,11 +125,11 @@ def build(name: str, folder: Path, matrix: Path, namespace: str, as_json: bool) 
     'rosml join' puts it onto an image.
     """
     from rosml.images.environments import build as building
-    from rosml.images.environments import declaration
     from rosml.images.image_set import load
+    from rosml.images.join import short_names
     from rosml.machine.services import Services
 
-    declaration.require_name(name)
+    short_names.require(name)
     image_set = load.load(matrix, ROOT)
     locks = building.read(folder / name, name, image_set.matrix.architectures)
     services = Services.load(ROOT)
@@ -141,5 +142,4 @@ def build(name: str, folder: Path, matrix: Path, namespace: str, as_json: bool) 
     terminal.echo(f"{built.reference}  {built.seconds:.0f} s")
     for platform, bytes_ in built.layers.items():
         terminal.echo(f"  {platform}  {bytes_ / 1e6:.1f} MB")
-    tag = built.reference.partition("@")[0]
-    terminal.echo(f"join it to an image: rosml join IMAGE {tag} --tag REFERENCE")
+    terminal.echo(f"join it to an image: rosml join IMAGE {short_names.KIND}{name} --tag REFERENCE")

@@ -8,6 +8,7 @@ from functools import partial
 
 import click
 
+from rosml import ROOT
 from rosml.base import terminal
 from rosml.cli import options
 from rosml.cli.checkout import Command
@@ -30,7 +31,8 @@ def main(
 ) -> None:
     """Joins ROS_IMAGE and PARTs, and moves a tag to the result.
 
-    Give complete references, in any registry. The result has every platform that all of them have. rosml mounts layers
+    Give complete references, in any registry. env:NAME is the environment NAME for the Python of ROS_IMAGE, beside it or in the
+    local registry. The result has every platform that all of them have. rosml mounts layers
     from the registry of the tag, and copies layers from other registries. Credentials are those of 'docker login'.
 
     \b
@@ -42,15 +44,18 @@ def main(
     from rosml.base.units import duration, size
     from rosml.images.join.joiner import Joiner
     from rosml.images.scan import together
+    from rosml.machine.services import Services
     from rosml.registry.client import Registries
 
+    services = Services.load(ROOT, required=False)
+    local = services.place if services.registry else ""
     with (
         Registries(os.environ.get("SSL_CERT_FILE", "")) as clients,
         Joiner(
             clients, allow_unlisted=allow_unlisted, say=say, describe=partial(together.attach, clients, say)
         ) as joiner,
     ):
-        report = joiner.join(ros_image, parts, tag, platforms)
+        report = joiner.join(ros_image, parts, tag, platforms, local)
     if as_json:
         terminal.echo(json.dumps(report.to_json(), indent=2))
         return

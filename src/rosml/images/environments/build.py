@@ -20,6 +20,7 @@ from rosml.images.environments.declaration import FOLDER
 from rosml.images.environments.lock import Lock
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import ENVIRONMENTS, ImageSet
+from rosml.images.matrix import names
 from rosml.machine import buildx
 from rosml.machine.services import Services
 from rosml.registry import references
@@ -51,11 +52,6 @@ def read(folder: Path, name: str, architectures: Iterable[str]) -> list[Lock]:
     return every
 
 
-def tag(lock: Lock) -> str:
-    """The tag of an environment: `lerobot-py311`."""
-    return f"{lock.name}-py{lock.python.replace('.', '')}"
-
-
 def publish(
     services: Services, image_set: ImageSet, every: Sequence[Lock], prefix: str, say: Callable[[str], None]
 ) -> BuiltEnvironment:
@@ -68,14 +64,15 @@ def publish(
         call = _bake(services, image_set, every, Path(folder))
         say(f"environment {first.name} for {listed([*_platforms(image_set, every)])}")
         digest = push(services, Push(call, str(place).rpartition(":")[0], image_set.matrix.compression))
+    tag = names.environment_name(first.name, first.python)
     with Registry(place.host, ca_bundle=services.ca_bundle) as registry:
         contents.attach(services, image_set, registry, [(place.repository, digest)], say)
         manifests = contents.manifests(registry, place.repository, digest)
         sizes = [sum(layer.size for layer in manifest.layers) for manifest in manifests]
-        registry.tag(place.repository, digest, tag(first))
+        registry.tag(place.repository, digest, tag)
     return BuiltEnvironment(
         first.name,
-        f"{prefix}/{ENVIRONMENTS}:{tag(first)}@{digest}",
+        f"{prefix}/{ENVIRONMENTS}:{tag}@{digest}",
         digest,
         dict(zip(_platforms(image_set, every), sizes, strict=True)),
         time.monotonic() - started,

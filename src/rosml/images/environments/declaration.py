@@ -20,11 +20,6 @@ FILE = "environment.toml"
 FOLDER = "/opt/env"
 """Where images have their environments, each in a folder with its name."""
 
-NAME = r"[a-z][a-z0-9]*(-[a-z0-9]+)*"
-"""The name of an environment: also that of a folder, a label and a tag."""
-
-LONGEST = 64
-
 _PACKAGE = r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?"
 
 REQUIREMENT = rf"{_PACKAGE}( *\[[A-Za-z0-9._, -]+\])?( *[<>=!~(;][^@:/\n#\\]*)?"
@@ -43,14 +38,6 @@ class Declaration(Shape):
 
     requirements: Annotated[list[_Requirement], Field(min_length=1, max_length=_MOST)]
     without: Annotated[list[_Package], Field(max_length=_MOST)] = []
-
-
-def require_name(name: str) -> str:
-    """The name itself. Raises a RosmlError if it is none."""
-    if len(name) > LONGEST or not re.fullmatch(NAME, name):
-        text = f"{name[:LONGEST]!r} is no name of an environment"
-        raise RosmlError(text, "write small letters, digits and single hyphens, such as lerobot", exit_code=2)
-    return name
 
 
 def read(folder: Path) -> Declaration:

@@ -13,17 +13,18 @@ from pathlib import Path
 
 from rosml.base import files
 from rosml.base.errors import RosmlError
-from rosml.images.environments.declaration import LONGEST, NAME, Declaration
+from rosml.images.environments.declaration import Declaration
 from rosml.images.image_set.lock_file import package_name
+from rosml.images.join.label_claims import LONGEST
 from rosml.images.locks import resolve
 from rosml.images.locks.resolve import Pin
 from rosml.images.locks.uv import Uv, compile_command
-from rosml.images.matrix.patterns import PYTHON
+from rosml.images.matrix.patterns import NAME, PYTHON
 
 _PIN = r"[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+"
 
 _WHOLE = re.compile(
-    rf"# Environment '(?P<name>{NAME})', Python (?P<python>{PYTHON.strip('^$')}), (?P<architecture>[a-z0-9]+), glibc 2\.(?P<glibc>\d+)\.\n"
+    rf"# Environment '(?P<name>{NAME.strip('^$')})', Python (?P<python>{PYTHON.strip('^$')}), (?P<architecture>[a-z0-9]+), glibc 2\.(?P<glibc>\d+)\.\n"
     r"# Made by 'rosml env add' from environment\.toml; do not edit\.\n"
     rf"# releases:(?P<releases>( {_PIN})*)\n"
     rf"# takes:(?P<takes>( {_PIN})*)\n"

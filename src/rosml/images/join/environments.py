@@ -58,11 +58,17 @@ def _require_ros(image: Source) -> None:
     if image.labels.get(f"{labels.PREFIX}part") or image.labels.get(labels.ENVIRONMENT):
         text = f"{image.name} is a part, but the first image must be a ROS image"
         raise RosmlError(text, "name the ROS image first, then the parts", exit_code=2)
+    require_python(image)
+    layers.require_whole(image)
+
+
+def require_python(image: Source) -> str:
+    """The version of the Python of a ROS image. Raises a RosmlError if its labels do not say it."""
     if not image.labels.get(_PYTHON):
         text = f"{image.name} is no ROS image of this project: it has no label {_PYTHON}"
         raise RosmlError(text, "use an image from the repository ros, or one that was built on it", exit_code=2)
     label_claims.require(image.labels, image.name)
-    layers.require_whole(image)
+    return image.labels[_PYTHON]
 
 
 def _require_fit(image: Source, environment: Source) -> None:

@@ -17,8 +17,8 @@ from rosml.base.problems import listed
 from rosml.images.image_set import restricted
 from rosml.images.image_set.labels import ENVIRONMENT, JOINED, OCI
 from rosml.images.image_set.restricted import Declared
-from rosml.images.join import facts, file_lists
-from rosml.images.join.environments import join, shadowed
+from rosml.images.join import facts, file_lists, short_names
+from rosml.images.join.environments import join, require_python, shadowed
 from rosml.images.join.file_lists import COPY, Files, Lists
 from rosml.images.join.layers import Joined, Source
 from rosml.images.join.transfer import Transfer, Transferred
@@ -71,12 +71,20 @@ class Joiner:
     def __exit__(self, failed: object, *_: object) -> None:
         self._transfer.close(failed)
 
-    def join(self, ros: str, parts: Sequence[str], target: str, platforms: Sequence[str] = ()) -> JoinReport:
-        """Joins an image for every platform that all have in common, or some of these, and moves the tag `target` to it."""
+    def join(
+        self, ros: str, parts: Sequence[str], target: str, platforms: Sequence[str] = (), local: str = ""
+    ) -> JoinReport:
+        """Joins an image for every platform that all have in common, or some of these, and moves the tag `target` to it.
+
+        Args:
+            parts: references, and short names of environments, such as `env:lerobot`.
+            local: the place of images in the local registry, if there is one: environments may be there.
+        """
         started = time.monotonic()
         place = references.parse(target)
         if references.is_digest(place.reference):
             raise RosmlError(f"{target} is a digest, but the target must be a tag", "write it with a tag", exit_code=2)
+        parts = [self._in_full(part, ros, local) for part in parts]
         if str(place) in {str(references.parse(source)) for source in (ros, *parts)}:
             text = f"{target} is one of the images to join, and would be overwritten"
             raise RosmlError(text, "choose another tag", exit_code=2)
@@ -103,6 +111,15 @@ class Joiner:
         report.uploaded += len(index)
         report.seconds = time.monotonic() - started
         return report
+
+    def _in_full(self, part: str, ros: str, local: str) -> str:
+        """The reference of a part. An environment with a short name is beside the ROS image, or in the local registry."""
+        name = short_names.environment(part)
+        if not name:
+            return part
+        image = self._transfer.one(ros)
+        places = short_names.beside(image.host, image.repository), local
+        return short_names.find(self._transfer, name, require_python(image), places)
 
     def check(self, ros: str, parts: Sequence[str], platforms: Sequence[str]) -> dict[str, Joined]:
         """The joined images for some platforms, of which nothing is pushed."""

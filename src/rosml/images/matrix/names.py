@@ -72,6 +72,11 @@ def part_name(part: str, stack: str, python: str) -> str:
     return f"{part}-{stack}" + ("" if python == ANY_PYTHON else f"-py{python.replace('.', '')}")
 
 
+def environment_name(name: str, python: str) -> str:
+    """The tag of an environment: `lerobot-py311`."""
+    return f"{name}-py{python.replace('.', '')}"
+
+
 def files_target(part: str) -> str:
     """The target that builds a part's files below /out."""
     return f"_files-{part}"

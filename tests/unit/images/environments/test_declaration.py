@@ -10,6 +10,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli.images import env
 from rosml.images.environments import add, declaration
 from rosml.images.environments.declaration import FILE, Declaration
+from rosml.images.join import short_names
 
 
 def test_files_and_words_become_one_list(tmp_path: Path) -> None:
@@ -59,7 +60,7 @@ def test_dependencies_that_a_program_decides(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", ["", "LeRobot", "../a", "a/b", "a b", "-a", "a--b", "a" * 65, "a\n"])
 def test_names(name: str) -> None:
     with pytest.raises(RosmlError, match="no name of an environment"):
-        declaration.require_name(name)
+        short_names.require(name)
 
 
 @pytest.mark.parametrize(

@@ -26,11 +26,12 @@ def environment(
     python: str = "3.11",
     platforms: Sequence[str] = BOTH[:1],
     files: Sequence[str] = (),
+    place_of: str = "me",
     more: Mapping[str, str] | None = None,
 ) -> str:
     facts = {labels.ENVIRONMENT: name, f"{labels.PREFIX}python": python, labels.TAKES: takes, **(more or {})}
     image = Tiny(facts, files or [f"opt/env/{name}/pyvenv.cfg"], salt=name)
-    return image.put(place.registry, "me/env", f"{name}-py311", platforms)
+    return image.put(place.registry, f"{place_of}/env", f"{name}-py{python.replace('.', '')}", platforms)
 
 
 def test_it_comes_last_and_the_rest_stays(place: Place) -> None:
@@ -90,6 +91,34 @@ def test_two_of_one_name(place: Place) -> None:
     image = place.join(place.ros(), environment(place), repository="me/first").reference
     error = place.refused(image, environment(place))
     assert "the environment policy twice" in error.message
+
+
+def test_a_short_name_is_beside_the_image_or_in_the_local_registry(place: Place) -> None:
+    base, host = place.ros(), place.server.address
+    environment(place, place_of="local")
+    assert place.layers(f"{host}/local/env:policy-py311")[0] in joined_layers(place, base, "env:policy")
+    beside = environment(place, files=["opt/env/policy/newer"])
+    assert joined_layers(place, base, "env:policy") == joined_layers(place, base, beside)
+
+
+def joined_layers(place: Place, *images: str) -> list[str]:
+    return [layer["digest"] for layer in place.image(place.join(*images))[0]["layers"]]
+
+
+def test_a_short_name_of_none(place: Place) -> None:
+    environment(place, python="3.12")
+    error, host = place.refused(place.ros(), "env:policy"), place.server.address
+    assert f"for Python 3.11: no {host}/me/env:policy-py311 or {host}/local/env:policy-py311" in error.message
+    assert "there is policy-py312" in error.message and "rosml env build policy" in error.remedy
+    assert error.exit_code == 2
+    assert "is no name of an environment" in place.refused(place.ros(), "env:Policy").message
+
+
+def test_a_tag_that_is_another_environment(place: Place) -> None:
+    environment(place, more={labels.ENVIRONMENT: "other"})
+    assert "is environment other, and not policy" in place.refused(place.ros(), "env:policy").message
+    error = place.refused(place.labelled_ros(python=""), "env:policy")
+    assert "has no label io.rosml.python" in error.message
 
 
 def test_one_in_the_place_of_a_ros_image(place: Place) -> None:
