@@ -172,6 +172,12 @@ def part(
     return Tiny(texts, **{"files": (f"usr/local/share/{kind}",), **more})  # type: ignore[arg-type]
 
 
+def environment(name: str = "policy", takes: str = "", python: str = "3.11", **more: object) -> Tiny:
+    """An environment. `takes`: the releases of its image, such as `torch=2.10.0`. `more`: what else `Tiny` has."""
+    texts = {labels.ENVIRONMENT: name, f"{labels.PREFIX}python": python, labels.TAKES: takes}
+    return Tiny(texts, **{"files": (f"opt/env/{name}/pyvenv.cfg",), "salt": name, **more})  # type: ignore[arg-type]
+
+
 def stack(registry: Registry, repository: str, parts: Sequence[str], name: str = "cu128", **more: object) -> list[str]:
     """Puts parts of a stack into a repository; gives their references. `more`: what else `part` has."""
     return [part(kind, name, **more).put(registry, repository, f"{kind}-{name}") for kind in parts]  # type: ignore[arg-type]

@@ -5,14 +5,19 @@ from __future__ import annotations
 import json
 import os
 from pathlib import Path
+from typing import Any
+
+import pytest
 
 from rosml.images.builds import contents
 from rosml.images.image_set.model import ImageSet
 from rosml.images.join.file_lists import Lists
+from rosml.images.join.layers import platform
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
+from tests.e2e.app_builds import BASE, build_app, package
 from tests.e2e.calls import LOG, NAMESPACE, rosml
-from tests.e2e.images import Publish, build_file
+from tests.e2e.images import PLATFORM, Publish, build_file, config, layers
 
 BYTES = 20_000
 """What joining an image may upload, for each platform a manifest and a config with all its history."""
@@ -34,31 +39,38 @@ print("both:", gymnasium.__name__, numpy.__version__)
 """
 
 
-def test_another_numpy_beside_ros(services: Services, published: Publish, image_set: ImageSet, tmp_path: Path) -> None:
-    """In one process with rospy; its layer is below its own prefix, and a second image costs only manifests."""
-    ros, place = published("ros1-bookworm-core"), f"{services.registry}/{NAMESPACE}"
+@pytest.fixture(scope="module")
+def policy(
+    services: Services, published: Publish, image_set: ImageSet, tmp_path_factory: pytest.TempPathFactory
+) -> dict[str, Any]:
+    """What the second build of an environment reported; its ROS image has a list of files."""
+    ros, folder = published(BASE), tmp_path_factory.mktemp("environments")
     client = Registry(services.registry)
     contents.attach(services, image_set, client, [(f"{NAMESPACE}/ros", ros.result["manifest"])], LOG.info)
-    options = ("--folder", str(tmp_path / "environments"))
+    options = ("--folder", str(folder))
     path = {"PATH": f"{Path(services.uv).parent}:{os.environ['PATH']}"}
-    output = rosml(
-        "env", "add", "policy", "numpy>=2,<2.3", "gymnasium", "--image", "ros1-bookworm-core", *options, env=path
-    ).out
+    output = rosml("env", "add", "policy", "numpy>=2,<2.3", "gymnasium", "--image", BASE, *options, env=path).out
     assert "amd64.txt: " in output and "arm64.txt: " in output and " to download" in output
     built = json.loads(rosml("env", "build", "policy", *options, "--namespace", NAMESPACE, "--json").out)
-    again = json.loads(rosml("env", "build", "policy", *options, "--namespace", NAMESPACE, "--json").out)
+    again: dict[str, Any] = json.loads(
+        rosml("env", "build", "policy", *options, "--namespace", NAMESPACE, "--json").out
+    )
     assert again["digest"] == built["digest"]
+    return again
 
-    for manifest in contents.manifests(client, f"{NAMESPACE}/env", built["digest"]):
+
+def test_another_numpy_beside_ros(services: Services, policy: dict[str, Any], tmp_path: Path) -> None:
+    """In one process with rospy; its layer is below its own prefix, and a second image costs only manifests."""
+    place, client = f"{services.registry}/{NAMESPACE}", Registry(services.registry)
+
+    for manifest in contents.manifests(client, f"{NAMESPACE}/env", policy["digest"]):
         files = Lists().of(client, f"{NAMESPACE}/env", manifest.digest)
         assert files and {path for path in files.entries if not path.startswith("opt/env/policy/")} == set()
         assert any(path.endswith("/numpy/__pycache__/__init__.cpython-311.pyc") for path in files.entries)
 
-    environment = built["reference"].partition("@")[0]
-    for tag in ("first", "second"):
-        joined = rosml(
-            "join", f"{place}/ros:ros1-bookworm-core", environment, "--tag", f"{place}/with-env:{tag}", "--json"
-        )
+    environment = policy["reference"].partition("@")[0]
+    for tag, name in {"first": environment, "second": "env:policy"}.items():
+        joined = rosml("join", f"{place}/ros:{BASE}", name, "--tag", f"{place}/with-env:{tag}", "--json")
         report = json.loads(joined.out)
         assert report["uploaded"] < BYTES and report["copied"] == 0, report
     programs = {
@@ -76,3 +88,40 @@ def test_another_numpy_beside_ros(services: Services, published: Publish, image_
         "RUN /entrypoint.sh bash -c 'source /opt/env/policy/bin/activate && python /env.py && deactivate && python3 /ros.py'\n",
     )
     assert output.count("both: gymnasium 2.") == 2 and output.count("ROS is as it was") == 2
+
+
+NODE = """#!/opt/env/policy/bin/python
+import gymnasium, numpy, rospy
+from sensor_msgs.msg import JointState
+assert numpy.__version__.startswith("2."), numpy
+print("acts with", gymnasium.__name__, JointState(name=["a"]).name)
+"""
+INSTALL = "install(PROGRAMS act DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
+
+
+def test_apps_with_an_environment(
+    services: Services, published: Publish, policy: dict[str, Any], tmp_path: Path
+) -> None:
+    """Two apps share its layers, the lock file has its digest, and it stays in a rebase."""
+    place, client, apps = f"{services.registry}/{NAMESPACE}", Registry(services.registry), {}
+    images = contents.manifests(client, f"{NAMESPACE}/env", policy["digest"])
+    by_platform = {platform(client.config(f"{NAMESPACE}/env", image).facts): image for image in images}
+    of_environment = [layer.digest for layer in by_platform[PLATFORM].layers]
+    options = {"base-image": published(BASE).reference, "env": "policy", "target": "run", "push": "true"}
+    for name in ("grasp", "walk"):
+        folder = package(tmp_path / name, lines=INSTALL, files={"act": NODE})
+        image = {"image-name": f"{place}/{name}", "command": f"rosrun {name} act"}
+        apps[name] = build_app(folder, {**options, **image}, "--lock")
+        assert config(services, f"{place}/{name}:latest")["Labels"]["io.rosml.environments"] == "policy"
+        assert layers(services, f"{place}/{name}:latest")[-1 - len(of_environment) : -1] == of_environment
+        lock = json.loads((folder / "containerize.lock").read_text())
+        assert lock["addons"] == {f"{place}/env:policy-py311": policy["digest"]}
+    again = build_app(tmp_path / "walk", {**options, **image})
+    assert again["run"]["digest"] == apps["walk"]["run"]["digest"], "from the lock file, the same"
+
+    onto = ("--base", f"{place}/ros:{BASE}", "--tag", f"{place}/grasp:moved")
+    report = json.loads(rosml("rebase", f"{place}/grasp:latest", *onto, "--json").out)
+    assert report["copied"] == 0
+    assert layers(services, f"{place}/grasp:moved") == layers(services, f"{place}/grasp:latest")
+    output = build_file(services, tmp_path / "run", f"FROM {place}/grasp:moved\nRUN /entrypoint.sh rosrun grasp act\n")
+    assert "acts with gymnasium ['a']" in output

@@ -39,6 +39,7 @@ class Input:
     flag: bool = False
     gone: str = ""  # why an input of docker-ros is not used here, for users
     in_repository: str = YES  # whether `.env` may set it
+    repeatable: str = ""  # another name of the option, if it may be repeated
 
     @property
     def variable(self) -> str:
@@ -48,8 +49,8 @@ class Input:
 _RECURSIVE = "take every file of that name in the repository and its upstream sources"
 
 
-def _text(help: str, default: str | bool = "", in_repository: str = YES) -> Any:
-    return field(default=default, metadata={"help": help, "in_repository": in_repository})
+def _text(help: str, default: str | bool = "", in_repository: str = YES, repeatable: str = "") -> Any:
+    return field(default=default, metadata={"help": help, "in_repository": in_repository, "repeatable": repeatable})
 
 
 def _flag(help: str, default: bool = False, in_repository: str = YES) -> Any:
@@ -62,6 +63,9 @@ class Values:
 
     base_image: str = _text("the image to build on; without a registry, one of the local registry or of Docker Hub")
     addons: str = _text("add-ons for the base image, separated by commas, such as onnx; onnx-cpu if it has no stack")
+    environments: str = _text(
+        "environments of Python packages beside ROS, separated by commas, such as lerobot", repeatable="env"
+    )
     command: str = _text("what the run image starts, as a shell reads it")
     target: str = _text("images to build, separated by commas: run, dev", "run,dev")
     platform: str = _text("platforms, separated by commas, such as linux/arm64; this machine's own if left out")

@@ -26,6 +26,7 @@ from rosml.machine.services import Services
 from rosml.registry import oci, references, retries
 from rosml.registry.client import Registries, Registry
 from rosml.registry.oci import Manifest
+from tests.e2e import parts
 from tests.e2e.parts import archive, part, ros
 
 BOTH = ("linux/amd64", "linux/arm64")
@@ -289,13 +290,32 @@ def addon(place: Place, salt: str, stack: str = "cpu") -> list[str]:
     return names
 
 
-def app_with_addon(place: Place, base: str, parts: Sequence[str]) -> str:
+def app_with_addon(place: Place, base: str, parts_of_it: Sequence[str]) -> str:
     """As `containerize --addons` makes it: its base image's name is that without the add-on."""
     with Joiner(lambda _: place.registry) as joiner:
-        joined = joiner.join(base, parts, f"{place.server.address}/me/joined:x", BOTH[:1]).reference
+        joined = joiner.join(base, parts_of_it, f"{place.server.address}/me/joined:x", BOTH[:1]).reference
     uses = library("docker-ros/ws/install/lib/node", needed=["libgraphruntime.so.1"], uses=["OrtGetApiBase"])
     app_facts = changed(OWN, libraries=[uses])
     return place.app(joined, facts=app_facts, labels={BASE_NAME: base, BASE_DIGEST: place.digest(base)})
+
+
+def environment(
+    place: Place, salt: str = "", takes: str = "", python: str = "3.11", repository: str = "rosml/env"
+) -> str:
+    """Puts the environment `policy` with facts. Gives its reference."""
+    tag = f"policy-py{python.replace('.', '')}"
+    reference = parts.environment(takes=takes, python=python, salt=salt).put(place.registry, repository, tag, BOTH)
+    place.attach_facts(repository, tag, {"packages": [], "libraries": []})
+    return reference
+
+
+def app_with_environment(place: Place, base: str, policy: str) -> str:
+    """As `containerize --env` makes it: its lock has the environment's digest."""
+    with Joiner(lambda _: place.registry) as joiner:
+        joined = joiner.join(base, [policy], f"{place.server.address}/me/joined:x", BOTH[:1]).reference
+    digest = place.digest(base)
+    lock = Lock(base_image=Image(name=base, digest=digest), addons={policy: place.digest(policy)}).line()
+    return place.app(joined, labels={BASE_NAME: base, BASE_DIGEST: digest, LOCK: lock})
 
 
 def on_stack(place: Place, stack: str, base_facts: Mapping[str, Any] = BASE_FACTS, driver: str = "") -> str:

@@ -30,7 +30,10 @@ def _options(function: Function) -> Function:
             continue
         text = f"{item.help} [{item.default}]" if item.default else item.help
         name, kind = (f"--{item.name}/--no-{item.name}", _Flag) if item.flag else (f"--{item.name}", click.Option)
-        function = click.option(name, item.variable, cls=kind, default=None, help=text)(function)
+        names = [name, f"--{item.repeatable}"] if item.repeatable else [name]
+        more = {"multiple": True} if item.repeatable else {"default": None}
+        text += "; repeatable" if item.repeatable else ""
+        function = click.option(*names, item.variable, cls=kind, help=text, **more)(function)
     return function
 
 
@@ -62,7 +65,7 @@ def services_for_builds() -> Services:
 @click.option("--lock", is_flag=True, help="take the newest versions, and write the lock file")
 @_options
 @options.JSON
-def main(folder: Path, lock: bool, as_json: bool, **options_by_variable: str | bool | None) -> None:
+def main(folder: Path, lock: bool, as_json: bool, **options_by_variable: str | bool | tuple[str, ...] | None) -> None:
     """Builds images of the ROS packages in FOLDER: one to run them, and one to work on them.
 
     \b
@@ -85,9 +88,9 @@ def main(folder: Path, lock: bool, as_json: bool, **options_by_variable: str | b
 
     folder = folder.resolve()
     inputs = {
-        item.name: str(value).lower() if item.flag else str(value)
+        item.name: ",".join(value) if isinstance(value, tuple) else str(value).lower() if item.flag else str(value)
         for item in app_inputs.TABLE
-        if (value := options_by_variable.get(item.variable)) is not None
+        if (value := options_by_variable.get(item.variable)) not in (None, ())
     }
     manifest.require(folder, inputs, os.environ)  # before anything is said of options, and any service is asked
     values = app_inputs.values(inputs, folder, os.environ)

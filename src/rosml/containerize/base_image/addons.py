@@ -1,7 +1,8 @@
-"""Add-ons on the base image of an app: `containerize --addons onnx` joins their parts to it in the build."""
+"""Add-ons and environments on the base image of an app: `containerize --addons onnx --env lerobot` joins them to it in the build."""
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -15,8 +16,9 @@ from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import addons as image_addons
 from rosml.images.image_set import labels
 from rosml.images.image_set.load import without_locks
-from rosml.images.image_set.model import PARTS
-from rosml.images.join import label_claims
+from rosml.images.image_set.model import ENVIRONMENTS, PARTS
+from rosml.images.join import label_claims, short_names
+from rosml.images.join.environments import lacking
 from rosml.images.join.joiner import Joiner
 from rosml.images.join.layers import Source
 from rosml.images.join.transfer import Transfer
@@ -51,18 +53,24 @@ def onto(
     services: Services,
     platforms: Sequence[str],
     locked: Mapping[str, str] | None = None,
+    environments: str = "",
 ) -> Base:
-    """A base image with the add-ons of a text.
+    """A base image with the add-ons of a text, and with environments.
 
     Args:
-        locked: digests of parts, by their names with a tag; None for the present ones.
+        locked: digests of parts and environments, by their names with a tag; None for the present ones.
+        environments: their names, separated by commas or blanks.
     """
-    addons = names_in(text)
-    if not addons:
+    addons, environment_names = (
+        names_in(text),
+        [*dict.fromkeys(map(short_names.require, re.findall(r"[^,\s]+", environments)))],
+    )
+    if not addons and not environment_names:
         return base
     _require_ours(base)
     with Registries(services.ca_bundle) as registries, Transfer(registries) as transfer:
-        parts = _Search(transfer, services, base, locked).parts(addons)
+        search = _Search(transfer, services, base, locked)
+        parts = search.parts(addons) | search.environments(environment_names)
         if not parts:  # the base image has them
             return base
         every = dict.fromkeys([*platforms, f"linux/{native_architecture()}"])  # some steps run on the builder's own
@@ -82,30 +90,41 @@ def onto(
     )
 
 
-def kept(transfer: Transfer, app: Mapping[str, str], base: Base, services: Services, stack: str = "") -> dict[str, str]:
-    """The parts that an app's add-ons need on another base image, as `AddOns.parts`.
+def kept(
+    transfer: Transfer,
+    app: Mapping[str, str],
+    base: Base,
+    services: Services,
+    stack: str = "",
+    locked: Mapping[str, str] | None = None,
+) -> dict[str, str]:
+    """The parts that an app's add-ons need on another base image, and its environments, as `AddOns.parts`. An environment stays as it is if
+    the base image has what it takes. Otherwise the one that is beside the base image now comes.
 
     Args:
         app: the labels of the app's image.
         stack: of the add-ons if the base image has none; empty for the app's.
+        locked: the digests in the app's lock.
     """
     label_claims.require(app, "the app", "build it again")
     present = base.labels.get(labels.ADDONS, "").split()
     end = "" if base.labels.get(_STACK) else f"-{stack or app.get(_STACK, '')}"
     missing = [f"{name}{end}" for name in app.get(labels.ADDONS, "").split() if name not in present]
-    if missing:
+    environments = app.get(labels.ENVIRONMENTS, "").split()
+    if missing or environments:
         _require_ours(base)
-    return _Search(transfer, services, base, None, "name another --base; or build the app again: ").parts(missing)
+    search = _Search(transfer, services, base, None, "name another --base; or build the app again: ")
+    return search.parts(missing) | search.kept_environments(environments, app.get(_PYTHON, ""), locked or {})
 
 
 def _require_ours(base: Base) -> None:
     """Checks that a base image is one of rosml's in a registry, or was built on one."""
     if base.local:
-        text = f"{base.name} is in Docker alone, and add-ons go onto images in a registry"
+        text = f"{base.name} is in Docker alone, and add-ons and environments go onto images in a registry"
         raise RosmlError(text, "push it, and name it with its registry", exit_code=2)
     if base.adopted or not base.labels.get(_PYTHON):
         ours = base.adopted.image.tags[0] if base.adopted else "an image of rosml, or one that was built on it"
-        text = f"{base.name} is none of rosml's images, so it can have no add-on"
+        text = f"{base.name} is none of rosml's images, so it can have no add-on and no environment"
         raise RosmlError(text, f"take {ours}", exit_code=2)
     label_claims.require(base.labels, base.name, OTHER_BASE)
 
@@ -119,7 +138,12 @@ def _changed(before: Mapping[str, str], after: Mapping[str, str]) -> dict[str, s
 
 
 def repository(base: Base) -> str:
-    """The repository of parts beside a base image: for an app, beside its own base image."""
+    """The repository of parts beside a base image."""
+    return f"{_place(base)}/{PARTS}"
+
+
+def _place(base: Base) -> str:
+    """The registry and the path of a base image: for an app, those of its own base image."""
     label = f"{labels.OCI}base.name"
     name = base.labels.get(label, "") if base.labels.get(labels.APP) else ""
     try:
@@ -127,7 +151,7 @@ def repository(base: Base) -> str:
     except RosmlError:
         text = f"{base.name}: its label {label} is damaged: {name[:60]!r}"
         raise RosmlError(text, OTHER_BASE, exit_code=2) from None
-    return f"{where.host}/{where.repository.rpartition('/')[0]}/{PARTS}".replace("//", "/")
+    return short_names.beside(where.host, where.repository)
 
 
 def _join_command(image: str, parts: Iterable[str], unlisted: bool) -> str:
@@ -163,6 +187,43 @@ class _Search:
             if name.removesuffix(end) not in present
             for tag in self._tags(self._main(name))
         }
+
+    def environments(self, environments: Iterable[str]) -> dict[str, str]:
+        """The same of environments that the base image lacks."""
+        python, locked = self.base.labels[_PYTHON], self.locked or {}
+        tags = {
+            name: _locked(name, python, locked) or self._beside(name, python) for name in self._lacking(environments)
+        }
+        return {tag: self._pinned(name, tag) for name, tag in tags.items()}
+
+    def kept_environments(
+        self, environments: Iterable[str], python: str, app_digests: Mapping[str, str]
+    ) -> dict[str, str]:
+        """The same of an app's environments. `app_digests` has their present digests, by their names with a tag."""
+        kept = dict[str, str]()
+        for name in self._lacking(environments):
+            tag = _locked(name, python, app_digests)
+            reference = f"{tag.rpartition(':')[0]}@{app_digests[tag]}" if tag else ""
+            if not (reference and self._fits(reference)):
+                tag = self._beside(name, python)
+                reference = self._pinned(name, tag)
+            kept[tag] = reference
+        return kept
+
+    def _lacking(self, environments: Iterable[str]) -> list[str]:
+        present = self.base.labels.get(labels.ENVIRONMENTS, "").split()
+        return [name for name in environments if name not in present]
+
+    def _beside(self, name: str, python: str) -> str:
+        """The name with a tag of an environment beside the base image, or in the local registry."""
+        local = self.services.place if self.services.registry else ""
+        return short_names.find(self.transfer, name, python, (_place(self.base), local))
+
+    def _fits(self, environment: str) -> bool:
+        """Whether an environment is still there, and takes what the base image has."""
+        with contextlib.suppress(RosmlError):
+            return not lacking(self.transfer.one(environment).labels, self.base.labels)
+        return False
 
     def _tags(self, main: Source) -> list[str]:
         """The parts that the base image lacks for an add-on, by its main part."""
@@ -253,6 +314,12 @@ class _Search:
         architectures = rosml_matrix().architectures.items()
         served = [f"--serve {name}" for name, facts in architectures if facts.platform in platforms]
         return " ".join(["rosml publish all --registry", place, "--only", target, *served])
+
+
+def _locked(environment: str, python: str, digests: Mapping[str, str]) -> str:
+    """The name with a tag of an environment that a lock has; empty if it has none."""
+    end = f"/{ENVIRONMENTS}:{names.environment_name(environment, python)}"
+    return next((tag for tag in digests if tag.endswith(end)), "")
 
 
 def _of_its_name(part: Source) -> Source:

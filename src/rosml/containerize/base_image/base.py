@@ -32,7 +32,7 @@ from rosml.registry.documents import Config, Platform, Settings
 
 @dataclass(frozen=True)
 class AddOns:
-    """What add-ons bring to a base image."""
+    """What add-ons and environments bring to a base image."""
 
     parts: Mapping[str, str]  # references by digest, by their names with a tag
     environment: Mapping[str, str]  # variables that it lacks

@@ -74,12 +74,13 @@ def find_slim(call: Call, base: Base, followed_lock: Lock | None) -> Base | None
 
 def with_addons(call: Call, base: Base, followed_lock: Lock | None) -> Base:
     digests = followed_lock.addons or {} if followed_lock else None
-    joined = addons.onto(base, call.values.addons, call.services, call.names.platforms, digests)
+    values = call.values
+    joined = addons.onto(base, values.addons, call.services, call.names.platforms, digests, values.environments)
     if joined.addons:
         call.say(f"{base.name} with {', '.join(name.rpartition('/')[2] for name in joined.addons.parts)}")
     return joined
 
 
 def parts(*bases: Base | None) -> dict[str, str]:
-    """The parts that base images get for add-ons, as `AddOns.parts`."""
+    """The parts and environments that base images get, as `AddOns.parts`."""
     return {name: where for base in bases if base and base.addons for name, where in base.addons.parts.items()}

@@ -28,7 +28,7 @@ def build_images(call: Call) -> Result:
         slim = bases.find_slim(call, base, followed_lock)
         base = bases.with_addons(call, base, followed_lock)
         slim = slim and bases.with_addons(call, slim, followed_lock)
-        verdict.require_same_addons(followed_lock, call.values.addons, base, slim)
+        verdict.require_same_addons(followed_lock, call.values, base, slim)
         verdict.require_allowed(call, base, slim)
         inputs = contexts.write(call, base, slim, followed_lock)
         verdict.require_provided(call, inputs)
@@ -75,7 +75,7 @@ def build_shell_image(call: Call) -> ShellImage:
         base = bases.find(call, followed_lock)
         fetched = contexts.fetch(call, followed_lock)
         base = bases.with_addons(call, base, followed_lock)
-        verdict.require_same_addons(followed_lock, call.values.addons, base, None)
+        verdict.require_same_addons(followed_lock, call.values, base, None)
         inputs = contexts.write(call, base, None, followed_lock)
         verdict.require_provided(call, inputs)
         # It is the same image for each commit: a new one would be no reason to leave a container that runs.

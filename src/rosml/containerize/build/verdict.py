@@ -18,6 +18,7 @@ from rosml.containerize.build.bake_file import Inputs
 from rosml.containerize.build.call import Call
 from rosml.containerize.build.outcome import Outcome
 from rosml.containerize.build.report import Facts, TestResults
+from rosml.containerize.inputs import Values
 from rosml.containerize.lock import Lock
 from rosml.containerize.names import SLIM
 from rosml.containerize.packages import manifest, workspace
@@ -42,14 +43,14 @@ def require_kept_platforms(call: Call) -> None:
             app_base.require_kept(registries, tags, call.names.platforms)
 
 
-def require_same_addons(followed_lock: Lock | None, addons: str, base: Base, slim: Base | None) -> None:
-    """Checks that a lock file is of the wanted add-ons. It may have more parts if it has a slim image, and none is built now."""
+def require_same_addons(followed_lock: Lock | None, values: Values, base: Base, slim: Base | None) -> None:
+    """Checks that a lock file is of the wanted add-ons and environments. It may have more if it has a slim image, and none is built now."""
     if followed_lock is None:
         return
     locked_parts, parts = followed_lock.addons or {}, bases.parts(base, slim)
-    may_have_more = addons and followed_lock.slim_base_image and slim is None
+    may_have_more = (values.addons or values.environments) and followed_lock.slim_base_image and slim is None
     if parts.keys() - locked_parts.keys() or not (may_have_more or parts.keys() == locked_parts.keys()):
-        text = f"the lock file is of {some(locked_parts) or 'no add-ons'}, and not of {some(parts) or 'none'}"
+        text = f"the lock file is of {some(locked_parts) or 'no parts'}, and not of {some(parts) or 'none'}"
         raise RosmlError(text, lock.RENEW, exit_code=2)
 
 

@@ -17,8 +17,10 @@ from rosml.containerize.rebase.attachments import Attachments, BaseContents
 from rosml.containerize.rebase.compatibility import Judgement, Verdict
 from rosml.containerize.rebase.plan import Member, Plan, Rebased
 from rosml.containerize.rebase.target_base import TargetBase, TargetBases
-from rosml.images.image_set.labels import ADDONS, APP, BASE_DIGEST, BASE_NAME, GPU, PREFIX, TITLE
-from rosml.images.join.layers import Joined, Source, as_source, join, platform
+from rosml.images.image_set import model
+from rosml.images.image_set.labels import ADDONS, APP, BASE_DIGEST, BASE_NAME, ENVIRONMENTS, GPU, PREFIX, TITLE
+from rosml.images.join.environments import join
+from rosml.images.join.layers import Joined, Source, as_source, platform
 from rosml.images.join.transfer import Transfer
 from rosml.images.matrix.tags import DATED
 from rosml.images.records.store import CREATED
@@ -38,7 +40,7 @@ SIGNED = ("sigstore", "cosign", "notary")
 
 @dataclass(frozen=True)
 class _Onto:
-    """A new base image, by digest, and the parts of the app's add-ons, which are joined to it."""
+    """A new base image, by digest, and the parts of the app's add-ons and its environments, which are joined to it."""
 
     target: TargetBase
     place: str
@@ -135,7 +137,12 @@ class Rebaser:
             raise RosmlError(f"{where} is the app itself, and no base image for it", "name another one with --base", 2)
         place = str(references.parse(f"{target.image.repository}@{target.image.digest}"))
         images = self._transfer.platforms(place)
-        parts = addons.kept(self._transfer, app.labels, target.image, self.services, stack)
+        app_lock = image.lock_of(app)
+        app_digests = (app_lock and app_lock.addons) or {}
+        parts = addons.kept(self._transfer, app.labels, target.image, self.services, stack, app_digests)
+        for name, reference in parts.items():
+            if f"/{model.ENVIRONMENTS}:" in name and app_digests.get(name) != reference.rpartition("@")[2]:
+                self.say(f"{name} is another one now: the app's own is gone, or takes what {target.image.name} lacks")
         return _Onto(target, place, images, parts, [self._transfer.platforms(name) for name in parts.values()])
 
     def _moved(
@@ -309,7 +316,7 @@ def _target(app: str, tag: str, where: Reference) -> Reference:
 def _require_one_base(app_images: Mapping[str, Source], app: str) -> None:
     """Checks that all platforms of an app are on the same image, of any day."""
     bases = {name: DATED.sub("", source.labels.get(BASE_NAME, "")) for name, source in app_images.items()}
-    labels = (f"{PREFIX}stack", ADDONS)
+    labels = (f"{PREFIX}stack", ADDONS, ENVIRONMENTS)
     contents = {tuple(source.labels.get(label, "") for label in labels) for source in app_images.values()}
     if len({*bases.values()}) > 1 or len(contents) > 1:
         places = listed([f"{name} on {base or 'an unknown one'}" for name, base in bases.items()])

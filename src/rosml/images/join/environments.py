@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from rosml.base import untrusted
@@ -86,13 +86,17 @@ def _require_fit(image: Source, environment: Source) -> None:
             f"environment {name} is for Python {python or 'nobody knows'}, and {image.name} has {image.labels[_PYTHON]}"
         )
         raise RosmlError(text, again, exit_code=2)
-    for pair in environment.labels.get(labels.TAKES, "").split():
-        release, _, version = pair.partition("=")
+    for release, version in lacking(environment.labels, image.labels).items():
         has = image.labels.get(labels.PREFIX + release)
-        if has != version:
-            other = f"has {release} {has}" if has else f"has no {release}"
-            text = f"environment {name} takes {release} {version} of its image, and {image.name} {other}"
-            raise RosmlError(text, again, exit_code=2)
+        other = f"has {release} {has}" if has else f"has no {release}"
+        text = f"environment {name} takes {release} {version} of its image, and {image.name} {other}"
+        raise RosmlError(text, again, exit_code=2)
+
+
+def lacking(environment: Mapping[str, str], image: Mapping[str, str]) -> dict[str, str]:
+    """The releases, with their versions, that an environment takes and an image has not, by their labels."""
+    pairs = (pair.partition("=") for pair in environment.get(labels.TAKES, "").split())
+    return {name: version for name, _, version in pairs if image.get(labels.PREFIX + name) != version}
 
 
 _MODULE = re.compile(r"opt/env/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.py|\.[^/]+\.so)")

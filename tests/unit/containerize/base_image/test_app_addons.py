@@ -19,6 +19,7 @@ from rosml.containerize.base_image import addons
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image.base import AddOns, Base
 from rosml.containerize.build import verdict
+from rosml.containerize.inputs import Values
 from rosml.images.join.joiner import Joiner
 from rosml.machine.services import Services
 from tests.e2e.parts import Tiny, part, ros, stack
@@ -206,11 +207,12 @@ PIN = lock.Image(name="", digest=f"sha256:{'0' * 64}")
 )
 def test_a_lock_file_of_the_same_addons(parts: list[str], text: str, base: Base, slim: Base | None, fits: bool) -> None:
     locked = lock.Lock(base_image=PIN, slim_base_image=PIN, addons=dict.fromkeys(parts, PIN.digest) or None)
+    values = Values(addons=text)
     if fits:
-        verdict.require_same_addons(locked, text, base, slim)
+        verdict.require_same_addons(locked, values, base, slim)
         return
     with pytest.raises(RosmlError, match="the lock file is of") as caught:
-        verdict.require_same_addons(locked, text, base, slim)
+        verdict.require_same_addons(locked, values, base, slim)
     assert len(caught.value.message) < 200 and caught.value.remedy == lock.RENEW
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from fakes.joins import AMD64, BOTH, TORCH, Place, joining
 from rosml.images.image_set import labels
-from tests.e2e.parts import Tiny
+from tests.e2e import parts
 
 
 @pytest.fixture
@@ -29,8 +30,8 @@ def environment(
     place_of: str = "me",
     more: Mapping[str, str] | None = None,
 ) -> str:
-    facts = {labels.ENVIRONMENT: name, f"{labels.PREFIX}python": python, labels.TAKES: takes, **(more or {})}
-    image = Tiny(facts, files or [f"opt/env/{name}/pyvenv.cfg"], salt=name)
+    image = parts.environment(name, takes, python, **({"files": files} if files else {}))
+    image = replace(image, labels={**image.labels, **(more or {})})
     return image.put(place.registry, f"{place_of}/env", f"{name}-py{python.replace('.', '')}", platforms)
 
 

@@ -1,0 +1,79 @@
+"""Environments of apps that move to other base images: they stay as they are, or come along from beside the new one."""
+
+from __future__ import annotations
+
+from fakes.rebasing import (
+    BASE_FACTS,
+    BOTH,
+    Place,
+    app_with_environment,
+    environment,
+    place,
+)
+from rosml.containerize.rebase import image
+from rosml.images.image_set.labels import ENVIRONMENTS
+from rosml.images.join.joiner import Joiner
+
+__all__ = ["place"]
+
+
+def lock(place: Place, app: str) -> dict[str, str]:
+    app_lock = image.lock_of(next(iter(place.rebaser().read(app).values())))
+    assert app_lock
+    return app_lock.addons or {}
+
+
+def on_torch(place: Place, version: str) -> str:
+    labels = {"io.rosml.stack": "cu128", "io.rosml.framework": "torch", "io.rosml.torch": version}
+    return place.base(f"torch-{version}", BASE_FACTS, BOTH, labels, "rosml/ros-torch")
+
+
+def test_it_stays_as_it_is(place: Place) -> None:
+    """Also if a newer one has its tag, and none is beside the new base image."""
+    policy = environment(place)
+    app = app_with_environment(place, place.base(), policy)
+    layers, pins = place.layers(policy), lock(place, app)
+    environment(place, "newer")
+    new = place.base("tonight", repository="other/ros")
+    rebased = place.rebase(app, new)
+    assert place.layers(app)[:-1] == [*place.layers(new), *layers] and rebased.copied == 0
+    assert place.labels("me/robot", "latest")[ENVIRONMENTS] == "policy" and lock(place, app) == pins
+    assert place.rebase(app, new).digest == rebased.digest, "a second call has nothing to do"
+    assert not any("another" in line for line in place.messages)
+
+
+def test_one_for_the_new_base_image_comes_if_its_own_does_not_go_with_it(place: Place) -> None:
+    app = app_with_environment(place, on_torch(place, "2.10.0"), environment(place, takes="torch=2.10.0"))
+    new = on_torch(place, "2.11.0")
+    message = place.refused(app, new)
+    assert "environment policy takes torch 2.10.0 of its image, and " in message and "has torch 2.11.0" in message
+    policy = environment(place, "newer", takes="torch=2.11.0")
+    place.rebase(app, new)
+    assert place.layers(app)[-2:-1] == place.layers(policy)
+    assert lock(place, app) == {policy: place.digest(policy)}
+    assert any(f"{policy} is another one now" in line for line in place.messages)
+
+
+def test_a_base_image_that_has_it(place: Place) -> None:
+    policy = environment(place)
+    app = app_with_environment(place, place.base(), policy)
+    with Joiner(lambda _: place.registry) as joiner:
+        new = joiner.join(place.base("tonight"), [policy], f"{place.server.address}/rosml/ros:with").reference
+    place.rebase(app, new)
+    assert place.layers(app)[:-1] == place.layers(new)
+    assert place.labels("me/robot", "latest")[ENVIRONMENTS] == "policy" and not lock(place, app)
+
+
+def test_another_python_is_the_reason(place: Place) -> None:
+    app = app_with_environment(place, place.base(), environment(place))
+    other = place.base("other", python="3.12")
+    assert "was built on Python 3.11, and " in place.refused(app, other)
+
+
+def test_one_that_is_gone(place: Place) -> None:
+    app = app_with_environment(place, place.base(), environment(place))
+    place.server.tags["rosml/env"].clear()
+    for repository, name in [*place.server.manifests]:
+        if repository == "rosml/env":
+            del place.server.manifests[(repository, name)]
+    assert "there is no environment policy for Python 3.11" in place.refused(app, place.base("tonight"))
