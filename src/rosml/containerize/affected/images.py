@@ -106,12 +106,9 @@ class Images:
         return self._transfer.source(image.name, image.place, image.manifest)
 
     def causes(self, image: Image, purls: Iterable[str]) -> dict[str, tuple[Cause, ...]]:
-        """Which packages of an app need components of it, by their package URLs; empty if its SBOM is gone by now.
-
-        RosmlError if the registry does not answer, ValueError if the SBOM is damaged.
-        """
+        """Which packages of an app need components of it, by their package URLs; empty if its SBOM is gone by now."""
         sboms = self._attached(image.place).sboms
-        return Causes(Bill.of(sboms[0].content)).of_all(purls) if sboms else {}
+        return Causes(Bill(sboms[0].raw)).of_all(purls) if sboms else {}
 
     def _base(self, name: str, key: str) -> Image | None:
         """A base image for one platform, by its tag or digest; None if it is gone, or cannot be read."""

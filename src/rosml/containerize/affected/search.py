@@ -80,7 +80,8 @@ class Search:
         affected = [image for image in images if self._numbers(image)]
         below = dict(zip(affected, side_by_side(self._below, affected, title="base images"), strict=True))
         self._look()
-        return side_by_side(lambda image: self._answer(image, below.get(image)), images)
+        with _without_collector():
+            return side_by_side(lambda image: self._answer(image, below.get(image)), images, title="causes")
 
     def _look(self) -> None:
         """Judges the components that were read since."""
@@ -139,7 +140,7 @@ class Search:
         purls = [hit.purl for hit in hits if hit.origin == "app" and hit.purl]
         try:
             causes = self._images.causes(image, purls) if purls else {}
-        except (RosmlError, ValueError):  # it was read before: the verdict stands without them
+        except RosmlError:  # the SBOM was read before: the verdict stands without them
             causes = {}
         return tuple(replace(hit, needed_by=causes.get(hit.purl, ())) if hit.origin == "app" else hit for hit in hits)
 

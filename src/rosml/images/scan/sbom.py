@@ -95,9 +95,14 @@ class Sbom:
             raise _none(error) from None
 
     @property
+    def raw(self) -> dict[str, Any]:
+        """All that it says, whatever it is; empty if it is no JSON object. Raises ScannerFailed if it is no JSON."""
+        return self._content if isinstance(self._content, dict) else {}
+
+    @property
     def raw_components(self) -> list[dict[str, Any]]:
-        """All that it says of its components, whatever it is. Raises ScannerFailed if it is none."""
-        components = self._content.get("components", []) if isinstance(self._content, dict) else []
+        """All that it says of its components, whatever it is. Raises ScannerFailed as `raw`."""
+        components = self.raw.get("components", [])
         items = components if isinstance(components, list) else []
         return [item for item in items if isinstance(item, dict)]
 
