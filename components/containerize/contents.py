@@ -143,6 +143,7 @@ def _folders(paths: Mapping[str, str]) -> dict[str, list[str]]:
 
 def write(paths: dict[str, str], entries: Iterable[str], others: Container[str], out: Path) -> None:
     """Writes OUT/packages.json and OUT/files.gz: the same for the same image, on any day."""
+    out.mkdir(exist_ok=True)
     (out / "packages.json").write_text(as_json(packages(paths, entries, others), indent=1))
     with open(out / "files.gz", "wb") as raw, gzip.GzipFile("", "wb", 9, raw, 0) as file:
         file.writelines(path + b"\n" for path in sorted(map(os.fsencode, paths)))

@@ -87,7 +87,9 @@ RUN test -e /root/.cache/model -a -e /root/.cache/pip/wheel -a -e /tmp/sdk/licen
     fresh = dataclasses.replace(services, builder=beside.builder)
     again = apps.build_images(apps.new_call(folder, app_inputs.values(options, folder, {}), {}, fresh, LOG.info))
     assert again.tests.target.count == 2
-    assert stages_run(services, name) == {"sources", "built", "tested", "app-files"}, "ROS is not installed again"
+    assert stages_run(services, name) == {"sources", "built", "tested", "app-files", "dev-files"}, (
+        "ROS is not installed again"
+    )
 
 
 def test_a_base_of_it_alone(services: Services, vendor: str, tmp_path: Path) -> None:

@@ -52,14 +52,21 @@ from tests.e2e.calls import NAMESPACE, rosml
 from tests.e2e.images import PLATFORM, Publish, build_file, config, layers
 from tests.recording import COMMANDS
 
-WITHOUT_A_SCAN = """RUN --mount=type=bind,source={0}-apt,target=/said \\
+PACKAGES_WITHOUT_A_SCAN = """RUN --mount=type=bind,source={0}-apt,target=/said \\
     {{ dpkg-query --show --showformat '${{Package}} ${{Version}}\\n'; \\
       awk '/^Package:/ {{p = $2}} /^Version:/ {{print p, $2}}' /var/lib/dpkg/status.d/*; }} | LC_ALL=C sort | diff - /said
-RUN --mount=type=bind,from={1},target=/listed --mount=type=bind,source={0}-files,target=/said.gz \\
+"""
+"""A step that compares the packages in an SBOM with what dpkg says in its image."""
+
+FILES_WITHOUT_A_SCAN = """RUN --mount=type=bind,from={1},target=/listed --mount=type=bind,source={0}-files,target=/said.gz \\
     find /listed -mindepth 1 \\( -type f -o -type l \\) ! \\( -path '*/rosml/constraints.d/*' -empty \\) -printf '%P\\n' | \\
       LC_ALL=C sort >/found && zcat /said.gz | diff /found -
 """
-"""Steps that compare what is attached to an image with what dpkg says in it, and with its files."""
+"""A step that compares the list of files that is attached to an image with its files."""
+
+WITHOUT_A_SCAN = PACKAGES_WITHOUT_A_SCAN + FILES_WITHOUT_A_SCAN
+
+SBOM, FILES = "application/vnd.cyclonedx+json", "application/vnd.rosml.files.v1"
 
 
 @dataclass(frozen=True)
@@ -91,17 +98,14 @@ def compass(base: str, published: Publish, services: Services, tmp_path_factory:
     return Compass(folder, options, build_app(folder, options))
 
 
-def contents_of(services: Services, image: dict[str, Any]) -> tuple[dict[str, Any], bytes]:
-    """The SBOM of an image for one platform, and the list of its files as it is kept."""
+def attached(services: Services, image: dict[str, Any], artifact_type: str) -> bytes:
+    """What is attached to an image for one platform."""
     repository = references.parse(image["reference"]).repository
-    documents = []
     with Registry(services.registry) as registry:
-        for artifact_type in ("application/vnd.cyclonedx+json", "application/vnd.rosml.files.v1"):
-            [entry] = registry.referrers(repository, image["digest"], artifact_type)
-            manifest = registry.manifest(repository, entry["digest"])
-            assert manifest
-            documents.append(registry.blob(repository, manifest.content["layers"][0]["digest"]))
-    return json.loads(documents[0]), documents[1]
+        [entry] = registry.referrers(repository, image["digest"], artifact_type)
+        manifest = registry.manifest(repository, entry["digest"])
+        assert manifest
+        return registry.blob(repository, manifest.content["layers"][0]["digest"])
 
 
 def test_the_example(compass: Compass, base: str, published: Publish, services: Services, tmp_path: Path) -> None:
@@ -122,11 +126,12 @@ def test_the_example(compass: Compass, base: str, published: Publish, services: 
 
     (tmp_path / "chk").mkdir()
     for target in ("run", "slim"):
-        document, files = contents_of(services, result[target])
+        (tmp_path / f"chk/{target}-files").write_bytes(attached(services, result[target], FILES))
+    for target in ("run", "slim", "dev"):
+        document = json.loads(attached(services, result[target], SBOM))
         apt = [item for item in document["components"] if item.get("purl", "").startswith("pkg:deb/")]
         lines = sorted(f"{item['name']} {item['version']}" for item in apt)
         (tmp_path / f"chk/{target}-apt").write_text("\n".join([*lines, ""]))
-        (tmp_path / f"chk/{target}-files").write_bytes(files)
         [ros] = [item for item in document["components"] if item.get("purl", "").startswith("pkg:generic/ros/")]
         assert (ros["name"], ros["licenses"]) == ("compass", [{"license": {"id": "Apache-2.0"}}])
     build_file(
@@ -146,6 +151,7 @@ COPY --from=run /said /said
     ! test -e /var/lib/dpkg/status.d/libangles-dev
 {WITHOUT_A_SCAN.format("slim", slim_image)}
 FROM {dev_image} AS dev
+{PACKAGES_WITHOUT_A_SCAN.format("dev")}
 RUN test -e /docker-ros/ws/src/target/src/compass/package.xml && ! grep -r {CANARY} /docker-ros && \\
     test -z "$(find /docker-ros -name .git -o -name .env)"
 RUN DOCKER_UID=1000 DOCKER_GID=1000 /entrypoint.sh bash -c 'cd ~/ws && colcon build && . install/setup.bash && rospack find compass'
@@ -228,7 +234,7 @@ def test_a_machine_that_has_nothing_builds_nothing_twice(
     with pytest.raises(RosmlError, match="1 of 2 tests failed; no image was made") as caught:
         on_the_other()
     assert "Compass.Quarters" in caught.value.message
-    of_the_app = {"sources", "built", "tested", "app-files", "slim-files", "slim-tested"}
+    of_the_app = {"sources", "built", "tested", "app-files", "dev-files", "slim-files", "slim-tested"}
     assert {"built", "tested"} <= stages_run(services, name) <= of_the_app, (
         "no identification, no upstream, no packages"
     )

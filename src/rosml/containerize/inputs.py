@@ -115,7 +115,9 @@ class Values:
         " beside the base image if left out",
         in_repository=NO,
     )
-    sbom: bool = _flag("attach an SBOM and a list of files to the images to run; in a registry, not in Docker", True)
+    sbom: bool = _flag(
+        "attach SBOMs to the images, and lists of files to those to run; in a registry, not in Docker", True
+    )
     lock_file: str = _text("what the images are built from, if it is there; --lock writes it", "containerize.lock")
     additional_debs_file: str = _text("packages for apt, one a line", "docker/additional-debs.txt")
     enable_recursive_additional_debs: bool = _flag(_RECURSIVE)

@@ -13,10 +13,13 @@ from rosml.images.builds.base_images import native_architecture
 from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import references
 
-TARGETS = ("run", "dev")
-
 RESERVED = (NAMESPACE, "library")
 """First parts of names that other images have in the local registry: our base images, and those of Docker Hub."""
+
+DEV = "dev"
+"""The image to work on the app: its sources, and what they need to be built."""
+
+TARGETS = ("run", DEV)
 
 SLIM = "slim"
 """The image to run the app on a base image without compilers. It comes with the run image."""

@@ -77,6 +77,7 @@ class Robot:
         self.messages: list[str] = []
         self.targets: list[dict[str, Any]] = []
         self.app, self.slim_app, self.dependencies = map(copy.deepcopy, (APP, APP, DEPENDENCIES))
+        self.contents = dict[str, str]()  # what a build says of images, by place in its report
         self.cache = f"{services.registry}/me/cache"
 
     def write(self, name: str, text: str = "") -> None:
@@ -129,7 +130,7 @@ class Robot:
         if bake.target == "system":
             leave(targets["system"], NOBLE)
         if bake.target == "packages":
-            leave(targets["report"], {name: json.dumps(content) for name, content in reports.items()})
+            leave(targets["report"], {name: json.dumps(content) for name, content in reports.items()} | self.contents)
             leave(targets.get("results", {}), {})
         return None, {"containerimage.digest": "sha256:1"}
 

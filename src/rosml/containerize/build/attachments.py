@@ -5,7 +5,7 @@ With an image's name, you can read its packages without pulling it, and `rosml j
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from urllib.parse import quote
 
@@ -65,6 +65,18 @@ def sbom(
     return cyclonedx.document(contents, reference, created, lambda name: _origin(origins.sources.get(name)), parts)
 
 
+def with_sources(data: bytes, of_run: bytes) -> bytes:
+    """The packages of an image to work on, with those of the app, of which it has the sources. Both are from `PACKAGES`."""
+    contents = packages.read(data)
+    built = {it.name for it in contents.ros}  # by an app below this one
+    sources = [
+        it.model_copy(update={"folder": "", "digest": "", "executable": False, "is_source": True})
+        for it in packages.read(of_run).ros
+        if it.name not in built
+    ]
+    return contents.model_copy(update={"ros": [*contents.ros, *sources]}).model_dump_json().encode()
+
+
 def _origin(source: Repository | None) -> cyclonedx.Origin:
     if not source:
         return cyclonedx.Origin()
@@ -87,19 +99,17 @@ def attach(
     digest: str,
     load: Callable[[str, str], bytes],
     origins: Origins,
-    linked: bool = True,
+    kinds: Collection[str] = KINDS,
 ) -> None:
     """Attaches an SBOM, a list of files and facts to an image or to each image of an index. Those that it has already stay.
 
     Args:
         load: reads the contents that a build reported, from a platform and a kind of `KINDS`.
-        linked: the app is one layer on its base image. If not, there are no facts.
+        kinds: what a build reported of the image. An app that is no layer on its base image has no facts.
     """
     for manifest in manifests(registry, repository, digest):
         missing = [
-            item
-            for item in LISTS
-            if (linked or item[0] != FACTS) and not registry.referrers(repository, manifest.digest, item[1])
+            item for item in LISTS if item[0] in kinds and not registry.referrers(repository, manifest.digest, item[1])
         ]
         has_sbom = _has_sbom(registry, repository, manifest.digest)
         if has_sbom and not missing:

@@ -13,7 +13,7 @@ from rosml import ROOT
 from rosml.containerize.base_image.base import Base
 from rosml.containerize.build.call import Call
 from rosml.containerize.inputs import Values
-from rosml.containerize.names import DESK, SLIM
+from rosml.containerize.names import DESK, DEV, SLIM
 from rosml.images.builds import adopted
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.builds.push import COMPRESSION, compression
@@ -287,14 +287,14 @@ def _variables(target: str, inputs: Inputs) -> dict[str, str]:
         variables["ROS_DISTRO"] = inputs.distribution
     if values.rmw_implementation:
         variables["RMW_IMPLEMENTATION"] = values.rmw_implementation
-    if target not in (DESK, "dev"):
+    if target not in (DESK, DEV):
         variables["DEFAULT_CMD"] = values.command
     return {f"APP_{name}": value for name, value in variables.items()}
 
 
 def _joined_stages(target: str, linked: bool) -> tuple[str, ...]:
     """The stages that an image's Dockerfile names: the builder makes all contexts, also those that no line names."""
-    if target == "dev":
+    if target == DEV:
         return ("workspace",)
     before = "slim-" if target == SLIM else ""
     return (f"{before}app",) if linked else (f"{before}runtime", f"{before}app")
@@ -304,7 +304,7 @@ def _dockerfile(target: str, inputs: Inputs, linked: bool) -> str:
     """The Dockerfile that joins an image without a step. Values are arguments, as they may have several lines. A `linked` app is a layer on
     the base image, and not on the stage with its packages."""
     lines, command = [f"FROM {DESK if target == DESK else 'workspace'}"], ["bash"]
-    if target not in (DESK, "dev"):
+    if target not in (DESK, DEV):
         before = "slim-" if target == SLIM else ""
         base = (target if before else "base") if linked else f"{before}runtime"
         lines = [f"FROM {base}", f"COPY --link --from={before}app / /"]

@@ -19,7 +19,8 @@ from rosml.base.problems import first_of
 from rosml.base.shapes import Shape
 from rosml.containerize import lock
 from rosml.containerize.build import attachments, junit
-from rosml.containerize.names import SLIM
+from rosml.containerize.names import DEV, SLIM
+from rosml.images.builds.contents import PACKAGES
 from rosml.machine import exported
 
 DEPENDENCIES = "dependencies.json"
@@ -28,8 +29,8 @@ DEPENDENCIES = "dependencies.json"
 APP, SLIM_APP = "app.json", "slim.json"
 """The files with the app's changes to the base images, written by components/containerize/app_files.py."""
 
-DESCRIBED = ("run", SLIM)
-"""Images with an SBOM and a list of files."""
+DESCRIBED = {"run": attachments.KINDS, SLIM: attachments.KINDS, DEV: (PACKAGES,)}
+"""What a build says of each image: the packages for an SBOM; of those to run, also the files and facts."""
 
 TARGET, DOWNSTREAM = "results", "downstream"
 KINDS = (TARGET, SLIM, DOWNSTREAM)
@@ -114,9 +115,9 @@ class AppReport:
     def _paths(self) -> dict[str, str]:
         return {
             f"{target}/{platform}/{kind}": str(place / f"contents-{target}" / kind)
-            for target in DESCRIBED
+            for target, kinds in DESCRIBED.items()
             for platform, place in self.places.items()
-            for kind in attachments.KINDS
+            for kind in kinds
         }
 
     def _model(self, model: type[_Document], path: Path) -> _Document:

@@ -19,9 +19,10 @@ from rosml.containerize.build.outcome import Outcome
 from rosml.containerize.build.result import Image, ShellImage
 from rosml.containerize.build.stage_cache import IDENTIFIED, Cache, Keys
 from rosml.containerize.lock import Lock
-from rosml.containerize.names import DESK
+from rosml.containerize.names import DESK, DEV
 from rosml.containerize.packages import workspace
 from rosml.containerize.sources.fetch import Repository
+from rosml.images.builds.contents import FACTS
 from rosml.machine import buildx
 from rosml.registry import references
 from rosml.registry.client import Registries
@@ -130,7 +131,8 @@ def join_images(stages: Stages, built: Outcome, lock: Lock) -> tuple[Image, ...]
 def attach_contents(
     stages: Stages, images: Sequence[Image], packages: Packages, upstream: Sequence[Repository]
 ) -> tuple[str, ...]:
-    """Attaches an SBOM, a list of files and facts to images in a registry. Returns those that have them: some registries refuse."""
+    """Attaches SBOMs to images in a registry; to those to run, also a list of files and facts. Returns those that have them: some
+    registries refuse."""
     call = stages.call
     if not call.values.sbom or call.names.loads:
         return ()
@@ -142,23 +144,26 @@ def attach_contents(
     described = []
     with Registries(call.services.ca_bundle) as registries:
         for image in images:
-            if image.target not in report.DESCRIBED:
-                continue
-
-            def load(platform: str, kind: str, target: str = image.target) -> bytes:
-                return packages.load(f"{target}/{platform}/{kind}")
-
+            replaces = image.target in packages.outcome.replacing
+            kinds = [kind for kind in report.DESCRIBED[image.target] if kind != FACTS or not replaces]
+            load = functools.partial(_contents, packages, image.target)
             place = references.parse(image.reference)
-            registry, linked = registries(place.host), image.target not in packages.outcome.replacing
+            registry = registries(place.host)
             base = stages.recipe.inputs.base_of(image.target)
             origins = attachments.Origins(owners, functools.partial(attachments.parts_of, registries, base))
             try:
-                attachments.attach(registry, place.repository, image.digest, load, origins, linked)
+                attachments.attach(registry, place.repository, image.digest, load, origins, kinds)
             except RosmlError as error:
                 call.say(f"{image.reference} lacks its SBOM or its list of files: {error.message}")
             else:
                 described.append(image.reference)
     return tuple(described)
+
+
+def _contents(packages: Packages, target: str, platform: str, kind: str) -> bytes:
+    """What a build says of an image. One to work on has the sources of the packages that the run image has."""
+    data = packages.load(f"{target}/{platform}/{kind}")
+    return attachments.with_sources(data, packages.load(f"run/{platform}/{kind}")) if target == DEV else data
 
 
 def build_shell_image(stages: Stages) -> ShellImage:

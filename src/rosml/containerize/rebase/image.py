@@ -16,6 +16,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import SHOWN, listed
 from rosml.containerize.build.bake_file import REPLACED
 from rosml.containerize.lock import Lock
+from rosml.containerize.names import DEV
 from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, LOCK, PREFIX, REVISION, TITLE
 from rosml.images.join.layers import Joined, Source
 from rosml.registry import bases, oci
@@ -159,7 +160,7 @@ def require_app(image: Source) -> None:
     if not target:
         text = f"{image.name} is no app that rosml containerize built: it has no label {APP}"
         raise RosmlError(text, "name an app's run or slim image", exit_code=2)
-    if target == "dev":
+    if target == DEV:
         text = f"{image.name} is an image to work on, with compilers of its base image"
         raise RosmlError(text, "name the app's run image; build the other one again", exit_code=2)
 

@@ -77,5 +77,6 @@ def of_python(wheel: Python) -> Deployed:
 
 
 def of_ros(package: Ros) -> Deployed:
-    without = "its files lie among those of others, or are too many to read"
+    among_others = "its files lie among those of others, or are too many to read"
+    without = "the image has its sources, and nothing that was built of them" if package.is_source else among_others
     return Deployed(package.name, package.digest, f"file:///{quote(package.folder)}", without, package.executable)

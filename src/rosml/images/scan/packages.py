@@ -68,6 +68,7 @@ class Ros(_Model):
     folder: str = ""  # with this package alone
     executable: bool = False
     digest: Digest = ""  # of the files in the folder
+    is_source: bool = False  # the image has its sources alone
 
 
 class Packages(_Model):

@@ -7,18 +7,21 @@ import re
 import shutil
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from fakes.apps import Robot, robot, services
+from fakes.apps import NATIVE, Robot, robot, services
 from rosml.base.errors import RosmlError
 from rosml.containerize import lock
 from rosml.containerize.base_image import rosdep_index
-from rosml.containerize.build import bake_file, dev_folder, stage_cache, step_order
+from rosml.containerize.build import attachments, bake_file, dev_folder, stage_cache, step_order
 from rosml.containerize.build.result import ShellImage
 from rosml.containerize.names import DESK
 from rosml.images.builds import variables
+from rosml.images.builds.contents import FACTS, FILES, PACKAGES
 from rosml.images.image_set.labels import BASE_DIGEST, COMPRESSED, LOCK
+from rosml.images.scan import packages as packages_of_build
 from rosml.machine import git
 
 __all__ = ["robot", "services"]
@@ -48,6 +51,27 @@ def test_images_are_joined_after_the_report_is_read(robot: Robot) -> None:
     assert run["args"]["APP_RMW_IMPLEMENTATION"] == "rmw_zenoh_cpp"
     assert run["labels"][BASE_DIGEST] == digest
     assert dev["dockerfile-inline"].splitlines()[1] == "FROM workspace"
+
+
+def test_each_image_gets_an_sbom_and_those_to_run_lists_of_files(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:
+    system = {"name": "debian", "version": "12"}
+    packages = {"system": system, "apt": [], "python": [], "ros": [{"name": "robot", "version": "1", "licenses": []}]}
+    robot.contents = {
+        "contents-run/packages.json": json.dumps(packages),
+        "contents-slim/packages.json": json.dumps(packages),
+        "contents-dev/packages.json": json.dumps(packages | {"ros": []}),
+    }
+    robot.put("rosml/ros:small")
+    calls = list[tuple[list[str], bool]]()
+
+    def attach(_registry: object, _repository: str, _digest: str, load: Any, _origins: object, kinds: Any) -> None:
+        [ros] = packages_of_build.read(load(NATIVE, PACKAGES)).ros
+        calls.append(([*kinds], ros.is_source))
+
+    monkeypatch.setattr(attachments, "attach", attach)
+    robot.slim_app["replaced"] = ["libfoo:all"]
+    robot.build(enable_slim="true", slim_base_image="ros:small")
+    assert calls == [([PACKAGES, FILES, FACTS], False), ([PACKAGES], True), ([PACKAGES, FILES], False)]
 
 
 def test_each_step_has_a_heading_with_the_time_of_the_one_before(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -21,6 +21,8 @@ from rosml.base import untrusted
 from rosml.base.errors import RosmlError
 from rosml.containerize.build import attachments
 from rosml.containerize.sources.fetch import Repository
+from rosml.images.builds.contents import FILES
+from rosml.images.builds.contents import PACKAGES as PACKAGES_FILE
 from rosml.images.join import facts, file_lists
 from rosml.images.scan import deployed, spdx
 from rosml.images.scan.sbom import MEDIA_TYPE, Sbom
@@ -452,8 +454,19 @@ def test_each_platform_gets_its_contents_once(referrers: bool, server: LocalRegi
 def test_an_app_that_is_no_layer_on_its_base_has_no_facts(server: LocalRegistry) -> None:
     with Registry(server.address) as client:
         digest = image(client, "amd64")["digest"]
-        attachments.attach(client, ROBOT, digest, load, NONE, linked=False)
+        attachments.attach(client, ROBOT, digest, load, NONE, [PACKAGES_FILE, FILES])
         assert facts.of(client, ROBOT, digest) is None and file_lists.Lists().of(client, ROBOT, digest)
+
+
+def test_an_image_to_work_on_has_an_sbom_with_the_sources_of_the_app() -> None:
+    """A package that an app below it has built is there as such."""
+    below = json.dumps(PACKAGES | {"ros": PACKAGES["ros"][:1]}).encode()
+    contents = attachments.with_sources(below, json.dumps(PACKAGES).encode())
+    document = json.loads(attachments.sbom(contents, "example.org/robot@x", TIME, NONE))
+    filters, robot = (it for it in document["components"] if it["name"] in ("filters", "robot"))
+    assert filters["hashes"] and "hashes" not in robot
+    reasons = [it["value"] for it in robot["properties"] if it["name"] == deployed.NO_HASH]
+    assert reasons == ["the image has its sources, and nothing that was built of them"]
 
 
 def test_an_sbom_of_others_is_none_of_ours(server: LocalRegistry) -> None:

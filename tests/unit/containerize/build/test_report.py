@@ -92,9 +92,14 @@ def test_tests_may_not_leave_too_much(limits: exported.Limits, says: str, tmp_pa
 
 def test_a_report_has_a_shape(tmp_path: Path) -> None:
     files: dict[str, archives.Content] = {"contents-run/packages.json": "{}", "contents-run/files.gz": b"\x1f"}
+    files |= {"contents-dev/packages.json": "{}", "contents-dev/files.gz": b"\x1f"}
     app = of_app(tmp_path, {"app.json": json.dumps(APP), "dependencies.json": json.dumps(DEPENDENCIES), **files})
     assert app.apps()[0].apt == {"libfoo": "1.0"} and [*app.dependencies().packages] == ["robot"]
-    assert app.details() == {"run/linux/amd64/packages.json": b"{}", "run/linux/amd64/files.gz": b"\x1f"}
+    assert app.details() == {
+        "run/linux/amd64/packages.json": b"{}",
+        "run/linux/amd64/files.gz": b"\x1f",
+        "dev/linux/amd64/packages.json": b"{}",
+    }
     with pytest.raises(RosmlError, match=r"the build left no contents-slim/files\.gz"):
         app.detail("slim/linux/amd64/files.gz")
     with pytest.raises(RosmlError, match=r"the build left no slim\.json"):
