@@ -174,7 +174,8 @@ def part(
 
 def environment(name: str = "policy", takes: str = "", python: str = "3.11", **more: object) -> Tiny:
     """An environment. `takes`: the releases of its image, such as `torch=2.10.0`. `more`: what else `Tiny` has."""
-    texts = {labels.ENVIRONMENT: name, f"{labels.PREFIX}python": python, labels.TAKES: takes}
+    title = f"env:{name}-py{python.replace('.', '')}"
+    texts = {labels.TITLE: title, labels.ENVIRONMENT: name, f"{labels.PREFIX}python": python, labels.TAKES: takes}
     return Tiny(texts, **{"files": (f"opt/env/{name}/pyvenv.cfg",), "salt": name, **more})  # type: ignore[arg-type]
 
 

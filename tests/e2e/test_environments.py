@@ -13,6 +13,7 @@ from rosml.images.builds import contents
 from rosml.images.image_set.model import ImageSet
 from rosml.images.join.file_lists import Lists
 from rosml.images.join.layers import platform
+from rosml.images.scan import attached, cyclonedx
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
 from tests.e2e.app_builds import BASE, build_app, package
@@ -73,6 +74,9 @@ def test_another_numpy_beside_ros(services: Services, policy: dict[str, Any], tm
         joined = rosml("join", f"{place}/ros:{BASE}", name, "--tag", f"{place}/with-env:{tag}", "--json")
         report = json.loads(joined.out)
         assert report["uploaded"] < BYTES and report["copied"] == 0, report
+        (sbom,) = attached.read(client, f"{NAMESPACE}/with-env", report["manifests"][PLATFORM]).sboms
+        parts = {component["name"]: cyclonedx.part(component) for component in sbom.components}
+        assert parts["gymnasium"] == parts["numpy"] == "env:policy-py311" and parts["bash"] == BASE
     programs = {
         "env.py": PROGRAM.format(numpy=2, prefix="/opt/env/policy"),
         "ros.py": "import importlib.util, rospy; assert not importlib.util.find_spec('numpy'); print('ROS is as it was')",

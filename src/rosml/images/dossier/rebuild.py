@@ -7,7 +7,7 @@ import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, PREFIX, REVISION, SOURCE, TITLE
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, ENVIRONMENTS, PREFIX, REVISION, SOURCE, TITLE
 
 DISTRIBUTION = f"{PREFIX}distribution"
 
@@ -45,6 +45,8 @@ def of(labels: Mapping[str, str], has_lock: bool, commit: str = "") -> Rebuild:
         notes.insert(0, "with the inputs of the first build: they are in the repository's CI file")
     elif title:
         commands.append(f"./rosml image {title}")
+        if environments := " ".join(f"env:{name}" for name in map(_word, labels.get(ENVIRONMENTS, "").split()) if name):
+            notes.insert(0, f"its environments come afterwards: rosml join IMAGE {environments} --tag REFERENCE")
     return Rebuild(tuple(commands), tuple(notes))
 
 

@@ -114,7 +114,7 @@ def _labels(every: Sequence[Lock]) -> dict[str, str]:
         text = f"environment {first.name} takes other releases for each architecture"
         raise RosmlError(text, "pin their versions in environment.toml", exit_code=2)
     return {
-        labels.TITLE: f"{first.name}, Python {first.python}",
+        labels.TITLE: f"{ENVIRONMENTS}:{names.environment_name(first.name, first.python)}",
         labels.DESCRIPTION: f"environment {first.name} below {FOLDER}, for Python {first.python}",
         labels.ENVIRONMENT: first.name,
         f"{labels.PREFIX}python": first.python,

@@ -23,6 +23,7 @@ from packageurl import PackageURL
 from rosml import __version__
 from rosml.base import untrusted
 from rosml.images.image_set.lock_file import package_name
+from rosml.images.image_set.model import ENVIRONMENTS
 from rosml.images.scan import deployed, needs, spdx
 from rosml.images.scan.deployed import Deployed
 from rosml.images.scan.packages import Apt, Packages, Python, Ros, System
@@ -87,7 +88,7 @@ def document(
     if parts:
         by_ref = {ref: _of_part(component, parts.get(ref, APP)) for ref, component in by_ref.items()}
     whole = untrusted.json_value(JsonV1Dot6(empty).output_as_string())
-    return oci.encoded(needs.completed(whole, by_ref, components.needs()))
+    return oci.encoded(needs.completed(whole, by_ref, components.needs(), _environments(by_ref)))
 
 
 def serial(reference: str) -> uuid.UUID:
@@ -111,7 +112,7 @@ def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]]) ->
             needed.setdefault(dependency.ref, set()).update(dependency.dependsOn)
     empty = Packages(system=System(name="", version=""), apt=[], python=[], ros=[])
     whole = untrusted.json_value(document(empty, reference, created))
-    return oci.encoded(needs.completed(whole, components, needed))
+    return oci.encoded(needs.completed(whole, components, needed, _environments(components)))
 
 
 def created(config: Config) -> float:
@@ -125,6 +126,12 @@ def _of_part(component: dict[str, Any], name: str) -> dict[str, Any]:
     if not name or part(component):
         return component
     return {**component, "properties": [*needs.properties(component), {"name": PART, "value": name}]}
+
+
+def _environments(components: Mapping[str, Mapping[str, Any]]) -> dict[str, str]:
+    """The parts of components that are environments, by the references of the components."""
+    names = {ref: part(component) for ref, component in components.items()}
+    return {ref: name for ref, name in names.items() if name.startswith(f"{ENVIRONMENTS}:")}
 
 
 def part(component: Mapping[str, Any]) -> str:

@@ -7,6 +7,7 @@ a package needs the release that the new base image has.
 from __future__ import annotations
 
 import re
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
@@ -27,16 +28,24 @@ _OF_ROSDEP = re.compile(r"python3?-(.+?)(?:-pip)?")
 
 
 def completed(
-    document: Mapping[str, Any], components: Mapping[str, Mapping[str, Any]], needs: Mapping[str, Iterable[str]]
+    document: Mapping[str, Any],
+    components: Mapping[str, Mapping[str, Any]],
+    needs: Mapping[str, Iterable[str]],
+    environments: Mapping[str, str],
 ) -> dict[str, Any]:
-    """A document with components, by their references, and what these need: references, or names."""
+    """A document with components, by their references, and what these need: references, or names.
+
+    Args:
+        environments: the names of the environments of Python packages that components are of, by references. Nothing outside of an environment
+            sees its packages.
+    """
     image = document["metadata"]["component"]["bom-ref"]
-    places = _Places(components)
+    places = _Places(components, environments)
     has_system = any(component.get("type") == "operating-system" for component in components.values())
     written, entries = [], [{"ref": image, "dependsOn": sorted(components)}]
     complete, incomplete = list[str](), list[str]()
     for ref in sorted(components):
-        resolved = {need: places.of(need.removesuffix(CONDITION)) for need in needs.get(ref, ())}
+        resolved = {need: places.of(need.removesuffix(CONDITION), ref) for need in needs.get(ref, ())}
         unmet = [need for need, at in resolved.items() if not at and not (has_system and need.endswith(CONDITION))]
         written.append(_with_needs(components[ref], sorted(unmet)[:MOST]))
         entries.append({"ref": ref, "dependsOn": sorted({at for at in resolved.values() if at and at != ref})})
@@ -70,24 +79,29 @@ def _with_needs(component: Mapping[str, Any], names: Iterable[str]) -> dict[str,
 
 
 class _Places:
-    """Components by their names."""
+    """Components by their names, for each environment, and for all others."""
 
-    def __init__(self, components: Iterable[str]) -> None:
-        self._refs = dict[str, str]()
-        for ref in sorted(components):
+    def __init__(self, components: Iterable[str], environments: Mapping[str, str]) -> None:
+        self._environments, self._components = environments, {*components}
+        self._refs = defaultdict[str, dict[str, str]](dict)
+        for ref in sorted(self._components):
+            refs = self._refs[environments.get(ref, "")]
             name = ref.partition("@")[0]  # with the architecture
-            self._refs |= {ref: ref, name: ref}
+            refs |= {ref: ref, name: ref}
             kind, _, rest = name.partition(":")
             short = rest.partition(":")[0]
-            self._refs.setdefault(f"{kind}:{short}", ref)
+            refs.setdefault(f"{kind}:{short}", ref)
             if kind == "ros":
-                self._refs[f"ros:{short.replace('_', '-')}"] = ref
+                refs[f"ros:{short.replace('_', '-')}"] = ref
             elif kind == "apt" and (of_ros := _OF_ROS.fullmatch(short)):
-                self._refs.setdefault(f"ros:{of_ros[1]}", ref)
+                refs.setdefault(f"ros:{of_ros[1]}", ref)
 
-    def of(self, need: str) -> str:
-        """The component that is meant by a reference or a name; empty if there is none."""
-        return next((self._refs[name] for name in _names(need) if name in self._refs), "")
+    def of(self, need: str, user: str) -> str:
+        """The component that is meant by a reference or a name, for the component that needs it; empty if there is none."""
+        if need in self._components:
+            return need
+        seen = [self._refs[name] for name in dict.fromkeys((self._environments.get(user, ""), ""))]
+        return next((refs[name] for refs in seen for name in _names(need) if name in refs), "")
 
 
 def _names(need: str) -> Iterator[str]:

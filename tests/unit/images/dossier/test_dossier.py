@@ -17,7 +17,7 @@ from fakes.dossiers import HOSTILE, NOW, Shop, components, contents, shop, vex
 from fakes.memory_registry import MemoryRegistry, put_image
 from rosml.base.errors import RosmlError
 from rosml.images.dossier import page, rebuild, scan, texts, write
-from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, REVISION, TITLE, VEX
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, ENVIRONMENTS, REVISION, TITLE, VEX
 from rosml.images.join.layers import Source
 from rosml.images.publish import cosign
 from rosml.images.records.store import CREATED
@@ -383,6 +383,12 @@ def test_labels_give_no_commands(word: str) -> None:
     labels = {APP: "run", REVISION: word, BASE_NAME: word, BASE_DIGEST: word, TITLE: word}
     assert rebuild.of(labels, False).commands == ("rosml containerize",)
     assert rebuild.of({**labels, APP: ""}, False).commands == ()
+
+
+def test_environments_are_joined_again() -> None:
+    again = rebuild.of({TITLE: "jazzy-base", ENVIRONMENTS: "lerobot ;rm vision"}, False)
+    assert again.commands == ("./rosml image jazzy-base",)
+    assert "rosml join IMAGE env:lerobot env:vision --tag REFERENCE" in again.notes[0]
 
 
 def test_json_has_what_the_table_says(place: Shop) -> None:

@@ -105,6 +105,24 @@ def test_a_wheel_needs_what_other_parts_have() -> None:
     assert whole == cyclonedx.joined("x/ros@sha256:3", TIME, parts), "the same at any time"
 
 
+def test_only_an_environment_needs_its_own_packages() -> None:
+    """Beside another numpy; also in an app on an image with it."""
+    torch = [Python(name="torch", version="2", requires=["numpy"])]
+    policy = [Python(name="policy", version="3", requires=["numpy", "torch"]), Python(name="numpy", version="2")]
+    parts = {"torch": torch, "common": [Python(name="numpy", version="1")], "env:policy-py311": policy}
+    packages = {
+        name: Packages(system=System(name="", version=""), apt=[], python=wheels, ros=[])
+        for name, wheels in parts.items()
+    }
+    sboms = [(name, Sbom(cyclonedx.document(it, f"x/{name}@sha256:1", TIME))) for name, it in packages.items()]
+    owners = {str(component["bom-ref"]): name for name, sbom in sboms for component in sbom.components}
+    whole = packages["torch"].model_copy(update={"python": [wheel for wheels in parts.values() for wheel in wheels]})
+    app = cyclonedx.document(whole, "x/app@sha256:3", TIME, parts=owners)
+    for content in (cyclonedx.joined("x/ros@sha256:3", TIME, sboms), app):
+        assert state(content, "pypi:torch@2") == (["pypi:numpy@1"], "complete", "")
+        assert state(content, "pypi:policy@3") == (["pypi:numpy@2", "pypi:torch@2"], "complete", "")
+
+
 def test_a_package_needs_what_its_new_base_image_has() -> None:
     app = Sbom(of_ros().content, lambda component: component["name"] == "bash")
     apt = [Apt(name="libc6", version="2", architecture="amd64", source="libc6", source_version="2")]
