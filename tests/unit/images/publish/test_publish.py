@@ -8,6 +8,7 @@ import signal
 from contextlib import ExitStack
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import click
@@ -22,7 +23,9 @@ from rosml.base.file_lock import turn
 from rosml.cli import command
 from rosml.cli.images import call
 from rosml.cli.images import image as script
-from rosml.images.builds import base_images
+from rosml.containerize.base_image import base as app_base
+from rosml.containerize.build import adopt
+from rosml.images.builds import base_images, contents
 from rosml.images.image_set import model as sets
 from rosml.images.publish import survey as surveys
 from rosml.images.publish.state import Request
@@ -103,6 +106,20 @@ def test_an_image_is_published(stage: Stage, capsys: pytest.CaptureFixture[str])
     index = stage.place.registry.manifest("rosml/ros-torch", result["digest"])
     assert index and [item["digest"] for item in index.content["manifests"]] == [result["manifest"]]
     stage.place.check(stage.image_set)
+
+
+def test_an_image_of_others_with_ros_gets_an_sbom(
+    stage: Stage, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    name, attached = "example.org/me/cuda:13", list[tuple[str, str]]()
+    base = SimpleNamespace(name=name, reference=name, digest="sha256:0", environment={}, adopted="alpha-base")
+    monkeypatch.setattr(app_base, "find", lambda *_: base)
+    monkeypatch.setattr(adopt, "with_ros", lambda found, *_: found)
+    monkeypatch.setattr(adopt, "make", lambda *_: "sha256:1")
+    monkeypatch.setattr(contents, "attach", lambda *facts: attached.extend(facts[3]))
+    assert stage.image("alpha-base", "--on", name, "--json") == 0
+    reference = json.loads(capsys.readouterr().out)["reference"]
+    assert reference.endswith("/rosml/on/me/cuda:13-alpha-base") and attached == [("rosml/on/me/cuda", "sha256:1")]
 
 
 def test_a_second_call_does_nothing(
