@@ -52,9 +52,9 @@ def attach(
             if not registry.referrers(repository, manifest.digest, artifact):
                 registry.attach(repository, manifest.descriptor, artifact, listing[name], media_type)
         image = f"{registry.host}/{repository}@{manifest.digest}"
-        document = cyclonedx.document(
-            packages.read(listing[PACKAGES]), image, cyclonedx.created(registry.config(repository, manifest).facts)
-        )
+        created = cyclonedx.created(registry.config(repository, manifest).facts)
+        home = image_set.matrix.source or ""
+        document = cyclonedx.document(packages.read(listing[PACKAGES]), image, created, home=home)
         kind = sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
         sboms[manifest.digest] = registry.attach(repository, manifest.descriptor, *kind)
     return sboms

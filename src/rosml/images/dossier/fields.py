@@ -96,7 +96,7 @@ def _of_document(bill: Bill) -> Iterator[Field]:
     has_name = any(text(it, "name") for it in authors)
     address = any(map(_address, authors))
     yield _single("author of the SBOM", (NTIA,), has_name or address, "it names none")
-    yield _single("creator of the SBOM, by e-mail or URL", (BSI,), address, "it names its author without an address")
+    yield _single("creator of the SBOM, by e-mail or URL", (BSI,), address, "the publisher named no address")
     yield _single("time of the SBOM", BOTH, bool(text(about, "timestamp")), "it has none")
     serial = bool(text(bill.content, "serialNumber"))
     yield _single("URI of the SBOM", (BSI,), serial, "it has no serial number", optional=True)

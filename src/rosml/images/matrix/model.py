@@ -430,7 +430,7 @@ class Matrix(Facts):
         description="places in public registries, such as ghcr.io/me/robots, where the licences of restricted parts let you publish these",
     )
     source: Annotated[str, Field(pattern=URL)] | None = Field(
-        default=None, description="the project's address, for the images' label"
+        default=None, description="the project's address, for the images' label and SBOMs"
     )
     compression: Compression = Field(
         default="zstd", description="of layers; gzip is larger and slower, and for machines with Docker before 23"

@@ -57,6 +57,7 @@ def document(
     created: float = 0.0,
     of_ros: Callable[[str], Origin] = lambda name: Origin(),
     parts: Mapping[str, str] | None = None,
+    home: str = "",
 ) -> bytes:
     """The SBOM of an image. The same packages and time give the same bytes.
 
@@ -68,6 +69,7 @@ def document(
         created: when the image was made, in seconds since 1970.
         of_ros: the origin of a ROS package, by its name.
         parts: of an app, the names of the parts of its base image, by references of the components there.
+        home: the address of the project that publishes the image, if it names one.
     """
     repository, _, digest = reference.partition("@")
     purl = PackageURL("oci", None, repository.rpartition("/")[2], digest, {"repository_url": repository})
@@ -78,6 +80,7 @@ def document(
         timestamp=datetime.fromtimestamp(created, UTC),
         tools=ToolRepository(components=[tool]),
         authors=[OrganizationalContact(name="rosml")],
+        manufacturer=OrganizationalEntity(urls=[XsUri(home)]) if home else None,
     )
     components = _Components(contents, of_ros)
     empty = Bom(metadata=about, serial_number=serial(reference))
@@ -96,11 +99,12 @@ def serial(reference: str) -> uuid.UUID:
     return uuid.uuid5(uuid.NAMESPACE_URL, reference)
 
 
-def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]]) -> bytes:
+def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]], home: str = "") -> bytes:
     """The SBOM of an image that was joined from others, by theirs, the lowest first: no layer is read.
 
     Args:
         sboms: those of the parts, each with the part's name. Its components get the name as a property, unless it is empty or they have one.
+        home: as of `document`.
     """
     components, needed = dict[str, dict[str, Any]](), dict[str, set[str]]()
     for name, sbom in sboms:
@@ -111,7 +115,7 @@ def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]]) ->
         for dependency in sbom.document.dependencies:
             needed.setdefault(dependency.ref, set()).update(dependency.dependsOn)
     empty = Packages(system=System(name="", version=""), apt=[], python=[], ros=[])
-    whole = untrusted.json_value(document(empty, reference, created))
+    whole = untrusted.json_value(document(empty, reference, created, home=home))
     return oci.encoded(needs.completed(whole, components, needed, _environments(components)))
 
 

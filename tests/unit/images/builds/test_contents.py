@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import json
 from pathlib import Path
 
 import pytest
@@ -44,6 +45,10 @@ def attach(
         for repository, digest in pushed:
             attached = [[entry["digest"] for entry in registry.referrers(repository, digest, kind)] for kind in TYPES]
             assert [len(digests) for digests in attached] == [1, 1, 1] and attached[2] == [sboms[digest]]
+            artifact = registry.manifest(repository, sboms[digest])
+            assert artifact
+            about = json.loads(registry.part(repository, artifact.layers[0]))["metadata"]
+            assert about["manufacturer"] == {"url": [image_set.matrix.source]}, "who publishes it"
     return len(calls)
 
 

@@ -5,11 +5,16 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from cyclonedx.schema import SchemaVersion
+from cyclonedx.validation.json import JsonStrictValidator
+
 from fakes.dossiers import ROBOT, components, contents
 from rosml.images.dossier import fields
 from rosml.images.dossier.bill import REASONS, Bill
 from rosml.images.dossier.fields import NO_REASON, Field
 from rosml.images.scan import cyclonedx
+
+CREATOR = "creator of the SBOM, by e-mail or URL"
 
 FULL: dict[str, Any] = {
     "bom-ref": "a",
@@ -86,8 +91,13 @@ def test_odd_types_count_as_what_is_not_there() -> None:
 
 def test_what_rosml_writes_of_each_package() -> None:
     """What an SBOM of ours has in any case."""
-    document = json.loads(cyclonedx.document(contents(ROBOT), "x/robot@sha256:0", 1_700_000_000.0))
+    reference, created = "x/robot@sha256:0", 1_700_000_000.0
+    document = json.loads(cyclonedx.document(contents(ROBOT), reference, created))
     every = {it.name: it for it in fields.check(Bill(document))}
+    assert "named no address" in every[CREATOR].why
+    content = cyclonedx.joined(reference, created, [], "https://example.org/robots")
+    assert {it.name: it for it in fields.check(Bill(json.loads(content)))}[CREATOR].have == 1
+    assert JsonStrictValidator(SchemaVersion.V1_6).validate_str(content.decode()) is None
     assert every["time of the SBOM"].have == every["author of the SBOM"].have == 1
     for name in ("name", "version"):
         assert every[name].percent == "100 %", every[name].why

@@ -22,6 +22,7 @@ from rosml.images.publish.prune import Pruner
 from rosml.images.publish.steps import STEPS
 from rosml.images.records import store
 from rosml.images.records.store import ARTIFACT, INDEX, Entry, Records
+from rosml.images.scan import sbom
 
 TARGET = "alpha-core-torch-cu1"
 ONLY = ["alpha-core", TARGET]
@@ -274,6 +275,14 @@ def test_what_has_no_facts_is_described_again_and_not_built(registry: Publisher,
     assert again.actions == [("describe", item.target, "") for item in items] and not again.failed
     assert images(again) == images(run) and all(again.state.entries[item.key].described for item in items)
     assert registry.publish(image_set, only=ONLY, date=LATER).actions == []
+
+
+def test_the_sbom_of_a_joined_image_has_the_address_of_who_publishes_it(
+    registry: Publisher, image_set: ImageSet
+) -> None:
+    run = registry.publish(image_set, only=ONLY)
+    (document,) = attached(registry, run, TORCH, sbom.MEDIA_TYPE)
+    assert document["metadata"]["manufacturer"] == {"url": [image_set.matrix.source]}
 
 
 def test_an_index_leads_from_a_joined_image_to_its_parts(registry: Publisher, image_set: ImageSet) -> None:

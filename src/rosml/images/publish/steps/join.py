@@ -61,6 +61,7 @@ def _attach_sbom(run: Run, read: Read, item: Item, digest: str) -> str:
     if manifest is None:
         raise RosmlError(f"{item.target} is not in the registry any more", "run it again")
     reference = f"{place.client.host}/{repository}@{digest}"
-    content = cyclonedx.joined(reference, cyclonedx.created(place.client.config(repository, manifest).facts), sboms)
+    created = cyclonedx.created(place.client.config(repository, manifest).facts)
+    content = cyclonedx.joined(reference, created, sboms, run.state.image_set.matrix.source or "")
     kind = MEDIA_TYPE, content, MEDIA_TYPE, FORMAT
     return place.client.attach(repository, manifest.descriptor, *kind)
