@@ -114,7 +114,7 @@ def test_an_image_of_others_with_ros_gets_an_sbom(
     name, attached = "example.org/me/cuda:13", list[tuple[str, str]]()
     base = SimpleNamespace(name=name, reference=name, digest="sha256:0", environment={}, adopted="alpha-base")
     monkeypatch.setattr(app_base, "find", lambda *_: base)
-    monkeypatch.setattr(adopt, "with_ros", lambda found, *_: found)
+    monkeypatch.setattr(adopt, "with_ros", lambda image, *_: image)
     monkeypatch.setattr(adopt, "make", lambda *_: "sha256:1")
     monkeypatch.setattr(contents, "attach", lambda *facts: attached.extend(facts[3]))
     assert stage.image("alpha-base", "--on", name, "--json") == 0
