@@ -151,7 +151,7 @@ def _print(answers: Sequence[Answer], database: str) -> None:
 
 def _hit(hit: Hit) -> str:
     """Such as `libssl3 3.0.1, fixed in 3.0.15, of core, of the base image; VEX: not affected: …`."""
-    where = {"base": "of the base image", "app": "of the app", "image": "", "unknown": ""}[hit.origin]
+    where = {"base": "of the base image", "part": "", "app": "of the app", "image": "", "unknown": ""}[hit.origin]
     causes = [it.package + (f" through {it.through}" if it.through else "") for it in hit.needed_by]
     parts = [f"of {hit.part}" if hit.part else "", where, f"needed by {some(causes)}" if causes else ""]
     text = ", ".join(filter(None, (f"{hit.name} {hit.version}", f"fixed in {hit.fixed}" * bool(hit.fixed), *parts)))

@@ -17,13 +17,14 @@ from rosml.containerize.affected.inventory import Matches
 from rosml.containerize.affected.query import Component, Query
 from rosml.images.image_set.labels import APP
 from rosml.images.scan import vex
+from rosml.images.scan.cyclonedx import APP as APP_PART
 from rosml.images.scan.vex import Statement
 
 State = Literal["affected", "harmless", "clear", "unknown"]
 """`harmless`: VEX says of each component that it does no harm. `unknown`: the image has no SBOM that counts, or is gone."""
 
-Origin = Literal["image", "base", "app", "unknown"]
-"""Where a component of an app is from; `image` for an image that is no app."""
+Origin = Literal["image", "base", "part", "app", "unknown"]
+"""Where a component of an app is from; `part` for add-ons and environments on its base image, `image` for an image that is no app."""
 
 
 @dataclass(frozen=True)
@@ -158,7 +159,7 @@ class Search:
             return "unknown", ""
         of_base = {it.purl: it for it in self._components(below.pinned)}
         same = of_base.get(component.purl)
-        return ("base", same.part) if same else ("app", "")
+        return ("base", same.part) if same else ("app" if component.part in ("", APP_PART) else "part", "")
 
     def _components(self, image: Image) -> list[Component]:
         """The components of an image that the query is for."""
@@ -173,6 +174,9 @@ class Search:
         fixes, command, newer = list[str](), "", ""
         if of_app := [hit for hit in harmful if hit.origin == "app"]:
             fixes.append(f"the app brings {_texts_of(of_app)}: build it again with {_newer(of_app)}")
+        if of_parts := [hit for hit in harmful if hit.origin == "part"]:
+            names = listed(sorted({hit.part for hit in of_parts}))
+            fixes.append(f"rosml rebase brings {names} when it is built with {_newer(of_parts)}")
         if lost := [hit for hit in harmful if hit.origin == "unknown"]:
             fixes.append(f"its base image is gone, so nobody knows what brings {_texts_of(lost)}: build it again")
         if of_base := {hit.name for hit in harmful if hit.origin == "base"}:
@@ -182,7 +186,7 @@ class Search:
             elif below.newest:
                 newer = below.newest.place.reference
                 fixes.append(f"{below.newest.name} has it no more")
-                command = "" if of_app or lost else self._command(answer.image)
+                command = "" if of_app or of_parts or lost else self._command(answer.image)
         return replace(answer, base=below.name, newer_base=newer, fix="; ".join(fixes), command=command)
 
     def _command(self, app: str) -> str:

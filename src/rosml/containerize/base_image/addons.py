@@ -98,8 +98,8 @@ def kept(
     stack: str = "",
     locked: Mapping[str, str] | None = None,
 ) -> dict[str, str]:
-    """The parts that an app's add-ons need on another base image, and its environments, as `AddOns.parts`. An environment stays as it is if
-    the base image has what it takes. Otherwise the one that is beside the base image now comes.
+    """The parts that an app's add-ons need on another base image, and its environments, as `AddOns.parts`. They are those that are beside the
+    base image now. An environment stays as it is if there is none that goes with the base image.
 
     Args:
         app: the labels of the app's image.
@@ -200,15 +200,22 @@ class _Search:
         self, environments: Iterable[str], python: str, app_digests: Mapping[str, str]
     ) -> dict[str, str]:
         """The same of an app's environments. `app_digests` has their present digests, by their names with a tag."""
-        kept = dict[str, str]()
-        for name in self._lacking(environments):
-            tag = _locked(name, python, app_digests)
-            reference = f"{tag.rpartition(':')[0]}@{app_digests[tag]}" if tag else ""
-            if not (reference and self._fits(reference)):
-                tag = self._beside(name, python)
-                reference = self._pinned(name, tag)
-            kept[tag] = reference
-        return kept
+        return dict(self._kept_environment(name, python, app_digests) for name in self._lacking(environments))
+
+    def _kept_environment(self, name: str, python: str, app_digests: Mapping[str, str]) -> tuple[str, str]:
+        """The name with a tag of an environment, and its reference by digest: the one beside the base image, or else the app's present one."""
+        candidates, missing = list[tuple[str, str]](), None
+        try:
+            tag = self._beside(name, python)
+            candidates.append((tag, self._pinned(name, tag)))
+        except RosmlError as error:
+            missing = error
+        if tag := _locked(name, python, app_digests):
+            candidates.append((tag, f"{tag.rpartition(':')[0]}@{app_digests[tag]}"))
+        fitting = next((pair for pair in candidates if self._fits(pair[1])), None)
+        if fitting is None and missing:
+            raise missing
+        return fitting or candidates[0]  # a join says what it lacks
 
     def _lacking(self, environments: Iterable[str]) -> list[str]:
         present = self.base.labels.get(labels.ENVIRONMENTS, "").split()

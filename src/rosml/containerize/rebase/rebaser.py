@@ -17,7 +17,6 @@ from rosml.containerize.rebase.attachments import Attachments, BaseContents
 from rosml.containerize.rebase.compatibility import Judgement, Verdict
 from rosml.containerize.rebase.plan import Member, Plan, Rebased
 from rosml.containerize.rebase.target_base import TargetBase, TargetBases
-from rosml.images.image_set import model
 from rosml.images.image_set.labels import ADDONS, APP, BASE_DIGEST, BASE_NAME, ENVIRONMENTS, GPU, PREFIX, TITLE
 from rosml.images.join.environments import join
 from rosml.images.join.layers import Joined, Source, as_source, platform
@@ -140,9 +139,6 @@ class Rebaser:
         app_lock = image.lock_of(app)
         app_digests = (app_lock and app_lock.addons) or {}
         parts = addons.kept(self._transfer, app.labels, target.image, self.services, stack, app_digests)
-        for name, reference in parts.items():
-            if f"/{model.ENVIRONMENTS}:" in name and app_digests.get(name) != reference.rpartition("@")[2]:
-                self.say(f"{name} is another one now: the app's own is gone, or takes what {target.image.name} lacks")
         return _Onto(target, place, images, parts, [self._transfer.platforms(name) for name in parts.values()])
 
     def _moved(

@@ -131,6 +131,17 @@ def test_a_package_of_the_app_itself_needs_a_build(place: Place) -> None:
     assert answer.fix.startswith("the app brings libssl3 3.0.1: build it again")
 
 
+def test_an_environment_is_built_again(place: Place) -> None:
+    """As an add-on: neither the app nor its base image brings its packages."""
+    app = put(place, based(place, GOOD), "robot")
+    part = {"properties": [{"name": cyclonedx.PART, "value": "env:policy-py311"}]}
+    numpy = {"bom-ref": "n", "type": "library", "name": "numpy", "version": "2.2", "purl": "pkg:pypi/numpy@2.2", **part}
+    describe(place, "me/robot", app, [], content={"components": [numpy]})
+    answer = ask(place, "numpy", app)["robot"]
+    assert (answer.hits[0].origin, answer.hits[0].part, answer.command) == ("part", "env:policy-py311", "")
+    assert answer.fix == "rosml rebase brings env:policy-py311 when it is built with another version"
+
+
 def test_which_package_of_the_app_is_the_cause(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     """Packages that need each other, and references to nothing, are somebody's words."""
     app = put(place, based(place, "libc6@1"), "robot")

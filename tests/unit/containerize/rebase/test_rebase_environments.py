@@ -1,4 +1,4 @@
-"""Environments of apps that move to other base images: they stay as they are, or come along from beside the new one."""
+"""Environments of apps that move to other base images: they come along from beside the new one, or stay as they are."""
 
 from __future__ import annotations
 
@@ -23,35 +23,38 @@ def lock(place: Place, app: str) -> dict[str, str]:
     return app_lock.addons or {}
 
 
-def on_torch(place: Place, version: str) -> str:
+def on_torch(place: Place, version: str, day: str = "") -> str:
     labels = {"io.rosml.stack": "cu128", "io.rosml.framework": "torch", "io.rosml.torch": version}
-    return place.base(f"torch-{version}", BASE_FACTS, BOTH, labels, "rosml/ros-torch")
+    return place.base(f"torch-{version}{day}", BASE_FACTS, BOTH, labels, "rosml/ros-torch")
 
 
-def test_it_stays_as_it_is(place: Place) -> None:
-    """Also if a newer one has its tag, and none is beside the new base image."""
-    policy = environment(place)
-    app = app_with_environment(place, place.base(), policy)
-    layers, pins = place.layers(policy), lock(place, app)
-    environment(place, "newer")
-    new = place.base("tonight", repository="other/ros")
+def test_the_one_beside_the_new_base_image_comes_along(place: Place) -> None:
+    """As parts of add-ons do: the newest."""
+    app = app_with_environment(place, place.base(), environment(place))
+    policy, new = environment(place, "newer"), place.base("tonight")
     rebased = place.rebase(app, new)
-    assert place.layers(app)[:-1] == [*place.layers(new), *layers] and rebased.copied == 0
-    assert place.labels("me/robot", "latest")[ENVIRONMENTS] == "policy" and lock(place, app) == pins
-    assert place.rebase(app, new).digest == rebased.digest, "a second call has nothing to do"
-    assert not any("another" in line for line in place.messages)
-
-
-def test_one_for_the_new_base_image_comes_if_its_own_does_not_go_with_it(place: Place) -> None:
-    app = app_with_environment(place, on_torch(place, "2.10.0"), environment(place, takes="torch=2.10.0"))
-    new = on_torch(place, "2.11.0")
-    message = place.refused(app, new)
-    assert "environment policy takes torch 2.10.0 of its image, and " in message and "has torch 2.11.0" in message
-    policy = environment(place, "newer", takes="torch=2.11.0")
-    place.rebase(app, new)
-    assert place.layers(app)[-2:-1] == place.layers(policy)
+    assert place.layers(app)[:-1] == [*place.layers(new), *place.layers(policy)] and rebased.copied == 0
+    assert place.labels("me/robot", "latest")[ENVIRONMENTS] == "policy"
     assert lock(place, app) == {policy: place.digest(policy)}
-    assert any(f"{policy} is another one now" in line for line in place.messages)
+    assert place.rebase(app, new).digest == rebased.digest, "a second call has nothing to do"
+
+
+def test_it_stays_if_none_beside_it_goes_with_the_new_base_image(place: Place) -> None:
+    policy = environment(place, takes="torch=2.10.0")
+    app = app_with_environment(place, on_torch(place, "2.10.0"), policy)
+    layers, pins = place.layers(policy), lock(place, app)
+    environment(place, "newer", takes="torch=2.11.0")
+    place.rebase(app, on_torch(place, "2.10.0", "tonight"))
+    assert place.layers(app)[-2:-1] == layers and lock(place, app) == pins
+    place.server.tags["rosml/env"].pop("policy-py311")
+    place.rebase(app, on_torch(place, "2.10.0", "tomorrow"))
+    assert place.layers(app)[-2:-1] == layers and lock(place, app) == pins
+
+
+def test_another_release_is_the_reason(place: Place) -> None:
+    app = app_with_environment(place, on_torch(place, "2.10.0"), environment(place, takes="torch=2.10.0"))
+    message = place.refused(app, on_torch(place, "2.11.0"))
+    assert "environment policy takes torch 2.10.0 of its image, and " in message and "has torch 2.11.0" in message
 
 
 def test_a_base_image_that_has_it(place: Place) -> None:
