@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -22,7 +23,8 @@ from rosml.cli.machine import setup
 
 if TYPE_CHECKING:
     from rosml.cli.images.summary import Summary
-    from rosml.images.image_set.model import Image
+    from rosml.images.environments.lock import Lock
+    from rosml.images.image_set.model import Image, ImageSet
     from rosml.machine.services import Services
 
 LONGEST_TAG = 128
@@ -45,6 +47,13 @@ LONGEST_TAG = 128
     help="install the ROS of TARGET on IMAGE, not on the base image that matrix.yaml names",
 )
 @click.option(
+    "--env",
+    "environments",
+    multiple=True,
+    metavar="NAME",
+    help="join this environment of the folder environments to it as well, under a tag of their own; repeatable",
+)
+@click.option(
     "--all-tests", is_flag=True, help="run all tests, also those that other images with the same parts passed"
 )
 @sharing("force", "json")
@@ -61,6 +70,7 @@ def main(**arguments: Any) -> None:
       rosml image jazzy-base-torch-cu130
       rosml image ros-torch:jazzy-base-cu130
       rosml image ros1-bookworm-base --json
+      rosml image ros1-bookworm-core-torch-cu128 --env lerobot
       rosml image jazzy-base --on nvidia/cuda:13.0.1-cudnn-runtime-ubuntu24.04
     """
     from rosml.machine.services import Services
@@ -77,7 +87,16 @@ def main(**arguments: Any) -> None:
         terminal.echo(json.dumps(image, indent=2) if options.as_json else f"image    {image['reference']}")
         return
     built = _build(options, plan, services)
-    terminal.echo(json.dumps(built.to_json(), indent=2) if options.as_json else built.text())
+    if not plan.locks:
+        terminal.echo(json.dumps(built.to_json(), indent=2) if options.as_json else built.text())
+        return
+    from rosml.images.environments import image as environments
+
+    report = environments.join(services, plan.call.image_set, built.reference, plan.locks, say)
+    facts = {**built.to_json(), "with_environments": report.to_json()}
+    terminal.echo(
+        json.dumps(facts, indent=2) if options.as_json else f"{built.text()}\n\nwith environments  {report.reference}"
+    )
 
 
 @dataclass(frozen=True)
@@ -87,6 +106,7 @@ class _Options:
     namespace: str
     platform: str
     on: str
+    environments: tuple[str, ...]
     all_tests: bool
     force: bool
     as_json: bool
@@ -94,12 +114,13 @@ class _Options:
 
 @dataclass(frozen=True)
 class _Plan:
-    """What to build: None for the image means one of the matrix's defaults. `foreign`: not for this machine."""
+    """What to build: None for the image means one of the matrix's defaults. `foreign`: not for this machine. `locks`: of environments."""
 
     call: Call
     image: Image | None
     architecture: str
     foreign: bool
+    locks: Mapping[str, Sequence[Lock]]
 
     @property
     def platform(self) -> str:
@@ -126,7 +147,18 @@ def _plan(options: _Options) -> _Plan:
     if options.on and (image is None or image.stack):
         text = "--on installs the ROS of one target" + (f", and {options.target} has a framework" if image else "")
         raise RosmlError(text, "name a ROS image, such as jazzy-base; 'rosml join' adds parts", exit_code=2)
-    return _Plan(call, image, architecture, architecture != native)
+    locks = _locks(options, image, image_set, architecture != native) if options.environments else {}
+    return _Plan(call, image, architecture, architecture != native, locks)
+
+
+def _locks(options: _Options, image: Image | None, image_set: ImageSet, foreign: bool) -> Mapping[str, Sequence[Lock]]:
+    """The locks of environments for an image that will have a tag."""
+    from rosml.images.environments import image as environments
+
+    if image is None or not image.tags or options.on or foreign:
+        text = "--env joins environments to a named image of this machine's platform that gets a tag"
+        raise RosmlError(text, "name one, without --on and --platform; 'rosml join' takes any image", exit_code=2)
+    return environments.read(image, options.environments, Path("environments"), image_set.matrix.architectures)
 
 
 def _build(options: _Options, plan: _Plan, services: Services) -> Summary:

@@ -18,7 +18,7 @@ from rosml.images.image_set import labels
 from rosml.images.image_set.load import without_locks
 from rosml.images.image_set.model import ENVIRONMENTS, PARTS
 from rosml.images.join import label_claims, short_names
-from rosml.images.join.environments import lacking
+from rosml.images.join.environments import misfit
 from rosml.images.join.joiner import Joiner
 from rosml.images.join.layers import Source
 from rosml.images.join.transfer import Transfer
@@ -229,7 +229,7 @@ class _Search:
     def _fits(self, environment: str) -> bool:
         """Whether an environment is still there, and takes what the base image has."""
         with contextlib.suppress(RosmlError):
-            return not lacking(self.transfer.one(environment).labels, self.base.labels)
+            return not misfit(self.transfer.one(environment).labels, self.base.labels, self.base.name)
         return False
 
     def _tags(self, main: Source) -> list[str]:

@@ -98,7 +98,7 @@ def _bake(services: Services, image_set: ImageSet, every: Sequence[Lock], folder
         "platforms": _platforms(image_set, every),
         "contexts": {"environment-locks": str(folder), "os": f"docker-image://{base.reference}"},
         "args": {"ENVIRONMENT": first.name, "PYTHON": first.python, "GLIBC": str(first.glibc)},
-        "labels": _labels(every),
+        "labels": labels_of(every),
     }
     file = services.state / "bake" / f"{target}.hcl"
     file.parent.mkdir(parents=True, exist_ok=True)
@@ -106,7 +106,7 @@ def _bake(services: Services, image_set: ImageSet, every: Sequence[Lock], folder
     return buildx.Bake(target, target, file, shares=buildx.IMAGES)
 
 
-def _labels(every: Sequence[Lock]) -> dict[str, str]:
+def labels_of(every: Sequence[Lock]) -> dict[str, str]:
     """What a join has to know. An image for several architectures takes the same releases for all."""
     first = every[0]
     taken = [{*item.releases.items()} for item in every]

@@ -79,24 +79,25 @@ def _require_fit(image: Source, environment: Source) -> None:
     if environment.platform != image.platform:
         text = f"{environment.name} is for {environment.platform}, and {image.name} for {image.platform}"
         raise RosmlError(text, "use images for one platform", exit_code=2)
-    again = f"make its lock for this image: rosml env add {name} --image IMAGE; then build it"
-    python = environment.labels.get(_PYTHON, "")
-    if python != image.labels[_PYTHON]:
-        text = (
-            f"environment {name} is for Python {python or 'nobody knows'}, and {image.name} has {image.labels[_PYTHON]}"
-        )
-        raise RosmlError(text, again, exit_code=2)
-    for release, version in lacking(environment.labels, image.labels).items():
-        has = image.labels.get(labels.PREFIX + release)
-        other = f"has {release} {has}" if has else f"has no {release}"
-        text = f"environment {name} takes {release} {version} of its image, and {image.name} {other}"
-        raise RosmlError(text, again, exit_code=2)
+    if reason := misfit(environment.labels, image.labels, image.name):
+        raise RosmlError(reason, AGAIN.format(name, "IMAGE"), exit_code=2)
 
 
-def lacking(environment: Mapping[str, str], image: Mapping[str, str]) -> dict[str, str]:
-    """The releases, with their versions, that an environment takes and an image has not, by their labels."""
-    pairs = (pair.partition("=") for pair in environment.get(labels.TAKES, "").split())
-    return {name: version for name, _, version in pairs if image.get(labels.PREFIX + name) != version}
+AGAIN = "make its lock for this image: rosml env add {} --image {}; then build it"
+"""The remedy for an environment that does not go with an image, with the names of both."""
+
+
+def misfit(environment: Mapping[str, str], image: Mapping[str, str], image_name: str) -> str:
+    """Why an environment does not go with an image, by their labels; empty if it does."""
+    name, python, has = environment.get(labels.ENVIRONMENT, ""), environment.get(_PYTHON, ""), image.get(_PYTHON, "")
+    if python != has:
+        return f"environment {name} is for Python {python or 'nobody knows'}, and {image_name} has {has}"
+    for pair in environment.get(labels.TAKES, "").split():
+        release, _, version = pair.partition("=")
+        if (present := image.get(labels.PREFIX + release)) != version:
+            other = f"has {release} {present}" if present else f"has no {release}"
+            return f"environment {name} takes {release} {version} of its image, and {image_name} {other}"
+    return ""
 
 
 _MODULE = re.compile(r"opt/env/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.py|\.[^/]+\.so)")

@@ -277,6 +277,8 @@ def test_a_set_up_that_fails(stage: Stage, capfd: pytest.CaptureFixture[str]) ->
         (["alpha-bse-torch-cu1"], "did you mean 'alpha-base-torch-cu1'"),
         ([TARGET, "--platform", "linux/arm64"], f"{TARGET} exists for amd64 only"),
         ([TARGET, "--on", "debian:12"], "--on installs the ROS of one target"),
+        (["alpha-core-ml-cpu", "--platform", "linux/arm64", "--env", "policy"], "--env joins environments to a named"),
+        ([TARGET, "--env", "policy"], "environments/policy has no lock"),
         ([TARGET], "no channel 'fina'"),
     ],
 )
