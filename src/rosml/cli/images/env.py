@@ -115,27 +115,41 @@ def _show(place: Path, locks: Sequence[Sized], as_json: bool) -> None:
             terminal.echo(f"  from the image: {listed(taken)}")
 
 
-@main.command("build", short_help="Builds an environment into the local registry.")
+@main.command("build", short_help="Builds an environment into a registry.")
 @click.argument("name")
+@click.option(
+    "--registry",
+    default="",
+    metavar="PREFIX",
+    help="push it there, beside your base images, such as ghcr.io/me/rosml; into the local registry if left out",
+)
 @_FOLDER
 @sharing("matrix", "namespace", "json")
-def build(name: str, folder: Path, matrix: Path, namespace: str, as_json: bool) -> None:
-    """Builds the environment NAME for all architectures that have a lock, without emulation, and pushes it into the local registry.
+def build(name: str, registry: str, folder: Path, matrix: Path, namespace: str, as_json: bool) -> None:
+    """Builds the environment NAME for all architectures that have a lock, without emulation, and pushes it into the local registry, or another
+    one.
 
-    'rosml join' puts it onto an image.
+    'rosml join' puts it onto an image, 'rosml containerize --env NAME' below an app.
+
+    \b
+    Examples:
+      rosml env build lerobot
+      rosml env build lerobot --registry ghcr.io/me/rosml
     """
     from rosml.images.environments import build as building
     from rosml.images.image_set import load
     from rosml.images.join import short_names
     from rosml.machine.services import Services
+    from rosml.registry.place import Place
 
     short_names.require(name)
+    place = str(Place.at(registry.lower())) if registry else ""
     image_set = load.load(matrix, ROOT)
     locks = building.read(folder / name, name, image_set.matrix.architectures)
     services = Services.load(ROOT)
     services.require_registry()
     services.require_builder()
-    built = building.publish(services, image_set, locks, f"{services.registry}/{namespace}", say)
+    built = building.publish(services, image_set, locks, place or f"{services.registry}/{namespace}", say)
     if as_json:
         terminal.echo(json.dumps(built.to_json(), indent=2))
         return

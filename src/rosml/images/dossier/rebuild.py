@@ -7,7 +7,17 @@ import shlex
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, ENVIRONMENTS, PREFIX, REVISION, SOURCE, TITLE
+from rosml.images.image_set.labels import (
+    APP,
+    BASE_DIGEST,
+    BASE_NAME,
+    ENVIRONMENT,
+    ENVIRONMENTS,
+    PREFIX,
+    REVISION,
+    SOURCE,
+    TITLE,
+)
 
 DISTRIBUTION = f"{PREFIX}distribution"
 
@@ -26,7 +36,7 @@ class Rebuild:
 
 def is_ours(labels: Mapping[str, str]) -> bool:
     """Whether labels look like those of an image that rosml made."""
-    return bool(labels.get(APP) or labels.get(DISTRIBUTION))
+    return any(labels.get(name) for name in (APP, DISTRIBUTION, ENVIRONMENT))
 
 
 def of(labels: Mapping[str, str], has_lock: bool, commit: str = "") -> Rebuild:
@@ -43,6 +53,9 @@ def of(labels: Mapping[str, str], has_lock: bool, commit: str = "") -> Rebuild:
         base = f" --base-image {name.partition('@')[0]}@{digest}" if name and digest else ""
         commands.append(f"rosml containerize{base}{f' --lock-file {LOCK_FILE}' if has_lock else ''}")
         notes.insert(0, "with the inputs of the first build: they are in the repository's CI file")
+    elif environment := _word(labels.get(ENVIRONMENT, "")):
+        commands.append(f"./rosml env build {environment}")
+        notes = ["with its locks, which are in the folder environments"]
     elif title:
         commands.append(f"./rosml image {title}")
         if environments := " ".join(f"env:{name}" for name in map(_word, labels.get(ENVIRONMENTS, "").split()) if name):

@@ -17,7 +17,7 @@ from fakes.dossiers import HOSTILE, NOW, Shop, components, contents, shop, vex
 from fakes.memory_registry import MemoryRegistry, put_image
 from rosml.base.errors import RosmlError
 from rosml.images.dossier import page, rebuild, scan, texts, write
-from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, ENVIRONMENTS, REVISION, TITLE, VEX
+from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME, ENVIRONMENT, ENVIRONMENTS, REVISION, TITLE, VEX
 from rosml.images.join.layers import Source
 from rosml.images.publish import cosign
 from rosml.images.records.store import CREATED
@@ -389,6 +389,8 @@ def test_environments_are_joined_again() -> None:
     again = rebuild.of({TITLE: "jazzy-base", ENVIRONMENTS: "lerobot ;rm vision"}, False)
     assert again.commands == ("./rosml image jazzy-base",)
     assert "rosml join IMAGE env:lerobot env:vision --tag REFERENCE" in again.notes[0]
+    assert rebuild.of({ENVIRONMENT: "lerobot"}, False).commands == ("./rosml env build lerobot",)
+    assert rebuild.is_ours({ENVIRONMENT: "lerobot"}) and not rebuild.is_ours({TITLE: "lerobot"})
 
 
 def test_json_has_what_the_table_says(place: Shop) -> None:

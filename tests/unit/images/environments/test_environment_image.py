@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,7 @@ import pytest
 from fakes.joins import Place, joining
 from rosml import MATRIX
 from rosml.base.errors import RosmlError
+from rosml.cli.images import env
 from rosml.images.environments import add, build, image
 from rosml.images.environments.build import BuiltEnvironment
 from rosml.images.environments.lock import Lock
@@ -62,3 +64,28 @@ def test_the_image_with_it_has_a_tag_of_its_own(place: Place, tmp_path: Path, mo
     assert report.reference == f"{base}-env-policy" and prefixes == [f"{place.server.address}/me"]
     manifest = place.manifest("me/ros", report.manifests["linux/amd64"])
     assert place.registry.config("me/ros", manifest).labels[labels.ENVIRONMENTS] == "policy"
+
+
+@pytest.mark.parametrize(
+    ("options", "prefix"),
+    [
+        ([], "localhost:1/rosml"),
+        (["--namespace", "team"], "localhost:1/team"),
+        (["--registry", "ghcr.io/Me/rosml"], "ghcr.io/me/rosml"),
+    ],
+)
+def test_where_it_is_built_to(options: list[str], prefix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    services = replace(Services.load(tmp_path, required=False), registry="localhost:1")
+    monkeypatch.setattr(Services, "load", lambda *_, **__: services)
+    for check in ("require_registry", "require_builder"):
+        monkeypatch.setattr(Services, check, lambda *_: None)
+    prefixes = list[object]()
+
+    def publish(*arguments: object) -> BuiltEnvironment:
+        prefixes.append(arguments[3])
+        return BuiltEnvironment("policy", "", "", {}, 0.0)
+
+    monkeypatch.setattr(build, "publish", publish)
+    add.write(tmp_path / "policy", [Lock("policy", "3.11", "amd64", 36, {}, {}, ())], ["amd64"])
+    env.main.main(["build", "policy", "--folder", str(tmp_path), *options], standalone_mode=False)
+    assert prefixes == [prefix]
