@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import base64
 import csv
+import email.parser
 import fnmatch
 import hashlib
 import os
@@ -140,11 +141,12 @@ def alias(name: str, wheel: str) -> None:
         files = {
             "INSTALLER": ["rosml"],
             "METADATA": [
-                "Metadata-Version: 2.1",
+                "Metadata-Version: 2.4",
                 f"Name: {name}",
                 f"Version: {version}",
                 f"Summary: Stands for {called}, which is the same package under another name",
                 f"Requires-Dist: {called}=={version}",
+                *makers(SITE / wheel / "METADATA"),
             ],
             "RECORD": [f"{folder.name}/{file},," for file in ("INSTALLER", "METADATA", "RECORD", "WHEEL")],
             "WHEEL": ["Wheel-Version: 1.0", "Generator: rosml", "Root-Is-Purelib: true", "Tag: py3-none-any"],
@@ -153,6 +155,30 @@ def alias(name: str, wheel: str) -> None:
             (folder / file).write_text("".join(f"{line}\n" for line in lines), encoding="utf-8")
     with (folder / "RECORD").open("ab") as record:
         record.write((SITE / wheel / "RECORD").read_bytes())
+
+
+MAKERS = (
+    "Author",
+    "Author-email",
+    "Maintainer",
+    "Maintainer-email",
+    "Home-page",
+    "License-Expression",
+    "License",
+    "Classifier",
+)
+"""Who made a package, and under which licence: https://packaging.python.org/specifications/core-metadata/"""
+
+
+def makers(metadata: Path) -> list[str]:
+    """The lines of a wheel's metadata that also hold for what stands for it. Some wheels have a whole text as their licence: no line of it."""
+    message = email.parser.HeaderParser().parsestr(metadata.read_text(encoding="utf-8"))
+    every = ((field, value.strip()) for field in MAKERS for value in message.get_all(field, []))
+    return [
+        f"{field}: {value}"
+        for field, value in every
+        if "\n" not in value and (field != "Classifier" or value.startswith("License ::"))
+    ]
 
 
 EXPECTED = "/usr/local/share/rosml/expected.d"

@@ -168,12 +168,21 @@ def test_links_to_another_part_take_the_place_of_files(part: Part) -> None:
 
 def test_a_package_stands_for_a_wheel_of_another_name(part: Part) -> None:
     """pip finds it, and whoever replaces it replaces the wheel's files."""
+    facts = {
+        "Author-email": "A <a@example.org>",
+        "License": "MIT",
+        "Classifier": "License :: OSI Approved :: MIT License",
+    }
+    lines = [f"{name}: {value}" for name, value in facts.items()]
+    metadata = "\n".join(["Name: thing", *lines, "Classifier: Topic :: Robots", "", "License: text\n"])
+    part.add("thing-1.dist-info/METADATA", metadata)
     done = part.run("alias", "other", "thing-1.dist-info")
     assert done.returncode == 0, done.stderr
     [package] = distributions(name="other", path=[str(part.site)])
     assert (package.version, package.requires) == ("1", ["thing==1"])
-    metadata = [f"other-1.dist-info/{name}" for name in ("INSTALLER", "METADATA", "RECORD", "WHEEL")]
-    assert {str(path) for path in package.files or ()} == {*metadata, *part.recorded()}
+    assert {name: package.metadata.get_all(name) for name in facts} == {name: [value] for name, value in facts.items()}
+    files = [f"other-1.dist-info/{name}" for name in ("INSTALLER", "METADATA", "RECORD", "WHEEL")]
+    assert {str(path) for path in package.files or ()} == {*files, *part.recorded()}
     assert part.verifies()
 
 
