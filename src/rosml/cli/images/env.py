@@ -85,9 +85,8 @@ def add(**options: Any) -> None:
     request = declaration.leaving_out(earlier, call.without) if earlier else declaration.declared(words, call.without)
     image_set = load.load(call.matrix, ROOT)
     locks = adding.resolved(adding.Request(call.name, request, place, call.upgrade), image_set, call.image, say)
-    if request != earlier:
-        declaration.write(place, request)
-    adding.write(place, (it.lock for it in locks), image_set.matrix.architectures)
+    changed = request if request != earlier else None
+    adding.write(place, (it.lock for it in locks), image_set.matrix.architectures, changed)
     _show(place, locks, call.as_json)
 
 

@@ -12,7 +12,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.bake.targets import unlocked
 from rosml.images.environments import lock as locks
-from rosml.images.environments.declaration import Declaration
+from rosml.images.environments.declaration import FILE, Declaration, content
 from rosml.images.environments.lock import Lock, NoSolution, Provider
 from rosml.images.image_set import lock_file
 from rosml.images.image_set.model import Image, ImageSet
@@ -40,7 +40,8 @@ class Request:
 
     def previous(self, architecture: str) -> str:
         file = self.folder / f"{architecture}.txt"
-        return "" if self.upgrade or not file.is_file() else files.text(file)
+        text = "" if self.upgrade or not file.is_file() else files.text(file)
+        return text if locks.parse(text) else ""  # uv would follow what somebody wrote into it
 
 
 def resolved(
@@ -119,10 +120,12 @@ def _size(index: Index, lock: Lock, wheels: str) -> int:
     return sum(wheel.size for wheel in index.wheels(target, pins).values()) if pins else 0
 
 
-def write(folder: Path, every: Iterable[Lock], architectures: Iterable[str]) -> None:
-    """Writes locks, and removes those of `architectures` that the image does not have."""
+def write(
+    folder: Path, every: Iterable[Lock], architectures: Iterable[str], declaration: Declaration | None = None
+) -> None:
+    """Writes locks, with their declaration if it is new, and removes those of `architectures` that the image does not have."""
     folder.mkdir(parents=True, exist_ok=True)
     texts = {folder / f"{lock.architecture}.txt": str(lock) for lock in every}
-    files.write_all(texts)
+    files.write_all({**texts, **({folder / FILE: content(declaration)} if declaration else {})})
     for file in {folder / f"{architecture}.txt" for architecture in architectures} - texts.keys():
         file.unlink(missing_ok=True)

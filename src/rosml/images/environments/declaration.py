@@ -22,8 +22,9 @@ FOLDER = "/opt/env"
 
 _PACKAGE = r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?"
 
-REQUIREMENT = rf"{_PACKAGE}( *\[[A-Za-z0-9._, -]+\])?( *[<>=!~(;][^@:/\n#\\]*)?"
-"""A package of an index: name, extras, versions, marker. uv reads the rest. No address: that has no versions and may be a source."""
+REQUIREMENT = rf"{_PACKAGE}( *\[[A-Za-z0-9._, -]+\])?( *[<>=!~(;][A-Za-z0-9 <>=!~().,;*+_'\"-]*)?"
+"""A package of an index: name, extras, versions, marker. uv reads the rest. No address: that has no versions and may be a source. No
+character that ends a line for uv: an option could follow, by which it builds a source on this machine."""
 
 _MOST = 256
 
@@ -54,11 +55,10 @@ def read(folder: Path) -> Declaration:
         raise RosmlError(f"{file} is no TOML: {error}", "correct it", exit_code=2) from None
 
 
-def write(folder: Path, declaration: Declaration) -> None:
-    """Writes the declaration. A comment of the file before does not stay."""
+def content(declaration: Declaration) -> str:
+    """The text of the file. A comment of the file before does not stay."""
     facts = {"requirements": declaration.requirements, "without": declaration.without}
-    folder.mkdir(parents=True, exist_ok=True)
-    files.write(folder / FILE, "".join(_lines({name: texts for name, texts in facts.items() if texts})))
+    return "".join(_lines({name: texts for name, texts in facts.items() if texts}))
 
 
 def _lines(facts: dict[str, list[str]]) -> Iterator[str]:

@@ -24,7 +24,7 @@ from rosml.images.matrix.patterns import NAME, PYTHON
 _PIN = r"[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+"
 
 _WHOLE = re.compile(
-    rf"# Environment '(?P<name>{NAME.strip('^$')})', Python (?P<python>{PYTHON.strip('^$')}), (?P<architecture>[a-z0-9]+), glibc 2\.(?P<glibc>\d+)\.\n"
+    rf"# Environment '(?P<name>{NAME.strip('^$')})', Python (?P<python>{PYTHON.strip('^$')}), (?P<architecture>[a-z0-9]+), glibc 2\.(?P<glibc>[1-9][0-9])\.\n"
     r"# Made by 'rosml env add' from environment\.toml; do not edit\.\n"
     rf"# releases:(?P<releases>( {_PIN})*)\n"
     rf"# takes:(?P<takes>( {_PIN})*)\n"
@@ -83,16 +83,26 @@ def _pinned(versions: Mapping[str, str]) -> str:
 
 
 def read(file: Path) -> Lock:
-    """A lock. Raises a RosmlError if it is not there or not whole."""
+    """A lock, whose file is named by its architecture. Raises a RosmlError if it is not there or not whole."""
     if not file.is_file():
         raise RosmlError(f"there is no lock {file}", "make it: rosml env add NAME --image IMAGE", exit_code=2)
-    text = files.text(file)
+    lock = parse(files.text(file))
+    if lock is None or lock.architecture != file.stem:
+        raise RosmlError(f"{file} was cut or edited", "make it again: rosml env add NAME --image IMAGE", exit_code=2)
+    return lock
+
+
+def parse(text: str) -> Lock | None:
+    """The lock of a text; None if rosml did not write it so: each package is there once, and releases are among what it takes."""
     whole = _WHOLE.fullmatch(text)
     if not whole or len(whole["name"]) > LONGEST:
-        raise RosmlError(f"{file} was cut or edited", "make it again: rosml env add NAME --image IMAGE", exit_code=2)
+        return None
     releases, takes = (dict(item.split("==", 1) for item in whole[kind].split()) for kind in ("releases", "takes"))
     place = whole["name"], whole["python"], whole["architecture"], int(whole["glibc"])
-    return Lock(*place, takes, releases, tuple(resolve.parse(text)))
+    lock = Lock(*place, takes, releases, tuple(resolve.parse(text)))
+    packages = [package_name(name) for name in (*takes, *(pin.name for pin in lock.pins))]
+    is_ours = str(lock) == text and len({*packages}) == len(packages) and releases.items() <= takes.items()
+    return lock if is_ours else None
 
 
 class NoSolution(RosmlError):

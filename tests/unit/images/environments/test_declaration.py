@@ -24,7 +24,7 @@ def test_files_and_words_become_one_list(tmp_path: Path) -> None:
         "jax[cpu]",
         "numpy>=2; python_version > '3.9'",
     ]
-    declaration.write(tmp_path / "lerobot", wish)
+    add.write(tmp_path / "lerobot", [], [], wish)
     assert declaration.read(tmp_path / "lerobot") == wish
 
 
@@ -42,7 +42,12 @@ def test_options_of_pip_are_refused(text: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     "word",
-    ["a @ https://example.com/a.whl", "git+https://example.com/a", "./a", "../a.whl", "a\n--index-url=x", "", "-e"],
+    [
+        *("a @ https://example.com/a.whl", "git+https://example.com/a", "./a", "../a.whl", "", "-e"),
+        *(
+            f"a>=1{end}--no-binary a" for end in ("\n", "\r", "\x0b", "\x0c", "\x85", "\u2028")
+        ),  # uv reads an option after \r
+    ],
 )
 def test_no_addresses_and_folders(word: str) -> None:
     with pytest.raises(RosmlError, match="requirements of an environment") as caught:
@@ -83,7 +88,7 @@ def test_damaged_declarations(text: str, tmp_path: Path) -> None:
 def test_a_call_without_requirements_leaves_out_more(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(add, "resolved", lambda *_: [])
     place, call = tmp_path / "policy", ["policy", "--image", "jazzy-base", "--folder", str(tmp_path)]
-    declaration.write(place, Declaration(requirements=["lerobot"], without=["evdev"]))
+    add.write(place, [], [], Declaration(requirements=["lerobot"], without=["evdev"]))
     env.main.main(["add", *call, "--without", "opencv-python"], standalone_mode=False)
     assert declaration.read(place) == Declaration(requirements=["lerobot"], without=["evdev", "opencv-python"])
     (place / FILE).write_text(f"# why\n{(place / FILE).read_text()}")
@@ -98,5 +103,5 @@ def test_without_a_declaration(tmp_path: Path) -> None:
 
 def test_quotes_stay_quotes(tmp_path: Path) -> None:
     wish = Declaration(requirements=['numpy; platform_machine == "x86_64"'])
-    declaration.write(tmp_path, wish)
+    add.write(tmp_path, [], [], wish)
     assert declaration.read(tmp_path) == wish

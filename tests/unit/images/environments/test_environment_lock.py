@@ -11,7 +11,7 @@ import pytest
 from rosml import MATRIX
 from rosml.base.errors import RosmlError
 from rosml.images.environments import add, build, lock
-from rosml.images.environments.declaration import Declaration
+from rosml.images.environments.declaration import FILE, Declaration
 from rosml.images.environments.lock import NoSolution, Provider
 from rosml.images.image_set import load
 from rosml.images.locks.uv import Uv
@@ -113,6 +113,11 @@ def test_a_lock_is_read_as_it_was_written(tmp_path: Path) -> None:
         ("'lerobot'", "'../lerobot'"),
         ("3.11", "3.11; rm"),
         ("glibc 2.36.\n", ""),
+        ("2.36", f"2.{'9' * 5000}"),
+        ("amd64", "arm64"),
+        ("releases: torch==2.10.0", "releases: torch==2.9.0"),
+        ("numpy==2.2.6", "LeRobot==0.4.5"),
+        ("numpy==2.2.6", "Torch==2.9.0"),
     ],
 )
 def test_a_lock_that_somebody_edited(text: str, other: str, tmp_path: Path) -> None:
@@ -121,6 +126,28 @@ def test_a_lock_that_somebody_edited(text: str, other: str, tmp_path: Path) -> N
     (tmp_path / "amd64.txt").write_text(whole.replace(text, other))
     with pytest.raises(RosmlError, match="was cut or edited"):
         build.read(tmp_path, "lerobot", ARCHITECTURES)
+
+
+def test_a_resolution_starts_from_a_whole_lock_alone(tmp_path: Path) -> None:
+    """uv would follow `-r` in another text, and stop at the marks that git leaves."""
+    file, request = tmp_path / "amd64.txt", add.Request("lerobot", WISH, tmp_path)
+    whole = str(lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"])))
+    for text, previous in {
+        whole: whole,
+        f"-r https://example.com/x\n{whole}": "",
+        f"{whole}<<<<<<< HEAD\n": "",
+    }.items():
+        file.write_text(text)
+        assert request.previous("amd64") == previous
+
+
+def test_locks_that_cannot_be_written_leave_the_declaration_as_it_was(tmp_path: Path) -> None:
+    (tmp_path / "arm64.txt").mkdir()
+    first = lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))
+    every = [replace(first, architecture=name) for name in ARCHITECTURES]
+    with pytest.raises(RosmlError, match=r"arm64\.txt: cannot be"):
+        add.write(tmp_path, every, ARCHITECTURES, WISH)
+    assert not (tmp_path / FILE).exists()
 
 
 def test_locks_of_two_environments(tmp_path: Path) -> None:
