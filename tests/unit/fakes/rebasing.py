@@ -300,11 +300,12 @@ def app_with_addon(place: Place, base: str, parts_of_it: Sequence[str]) -> str:
 
 
 def environment(
-    place: Place, salt: str = "", takes: str = "", python: str = "3.11", repository: str = "rosml/env"
+    place: Place, salt: str = "", takes: str = "", python: str = "3.11", repository: str = "rosml/env", **more: Any
 ) -> str:
     """Puts the environment `policy` with facts. Gives its reference."""
     tag = f"policy-py{python.replace('.', '')}"
-    reference = parts.environment(takes=takes, python=python, salt=salt).put(place.registry, repository, tag, BOTH)
+    image = parts.environment(takes=takes, python=python, salt=salt, **more)
+    reference = image.put(place.registry, repository, tag, BOTH)
     place.attach_facts(repository, tag, {"packages": [], "libraries": []})
     return reference
 

@@ -194,7 +194,7 @@ class _Search:
         tags = {
             name: _locked(name, python, locked) or self._beside(name, python) for name in self._lacking(environments)
         }
-        return {tag: self._pinned(name, tag) for name, tag in tags.items()}
+        return {tag: self._environment(name, tag) for name, tag in tags.items()}
 
     def kept_environments(
         self, environments: Iterable[str], python: str, app_digests: Mapping[str, str]
@@ -207,12 +207,12 @@ class _Search:
         candidates, missing = list[tuple[str, str]](), None
         try:
             tag = self._beside(name, python)
-            candidates.append((tag, self._pinned(name, tag)))
+            candidates.append((tag, self._environment(name, tag)))
         except RosmlError as error:
             missing = error
         if tag := _locked(name, python, app_digests):
             candidates.append((tag, f"{tag.rpartition(':')[0]}@{app_digests[tag]}"))
-        fitting = next((pair for pair in candidates if self._fits(pair[1])), None)
+        fitting = next((pair for pair in candidates if self._fits(name, pair[1])), None)
         if fitting is None and missing:
             raise missing
         return fitting or candidates[0]  # a join says what it lacks
@@ -224,12 +224,20 @@ class _Search:
     def _beside(self, name: str, python: str) -> str:
         """The name with a tag of an environment beside the base image, or in the local registry."""
         local = self.services.place if self.services.registry else ""
-        return short_names.find(self.transfer, name, python, (_place(self.base), local))
+        return short_names.find(self.transfer, name, python, (_place(self.base), local)).partition("@")[0]
 
-    def _fits(self, environment: str) -> bool:
+    def _environment(self, name: str, tag: str) -> str:
+        """The reference by digest of an environment. A lock, or a tag that moved, may name something else."""
+        reference = self._pinned(name, tag)
+        short_names.require_environment(self.transfer.one(reference), name)
+        return reference
+
+    def _fits(self, name: str, environment: str) -> bool:
         """Whether an environment is still there, and takes what the base image has."""
         with contextlib.suppress(RosmlError):
-            return not misfit(self.transfer.one(environment).labels, self.base.labels, self.base.name)
+            image = self.transfer.one(environment)
+            short_names.require_environment(image, name)
+            return not misfit(image.labels, self.base.labels, self.base.name)
         return False
 
     def _tags(self, main: Source) -> list[str]:

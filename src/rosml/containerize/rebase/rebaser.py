@@ -6,6 +6,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 from rosml.base.errors import RosmlError
 from rosml.base.problems import SHOWN, listed, some
@@ -17,8 +18,18 @@ from rosml.containerize.rebase.attachments import Attachments, BaseContents
 from rosml.containerize.rebase.compatibility import Judgement, Verdict
 from rosml.containerize.rebase.plan import Member, Plan, Rebased
 from rosml.containerize.rebase.target_base import TargetBase, TargetBases
-from rosml.images.image_set.labels import ADDONS, APP, BASE_DIGEST, BASE_NAME, ENVIRONMENTS, GPU, PREFIX, TITLE
-from rosml.images.join.environments import join
+from rosml.images.image_set.labels import (
+    ADDONS,
+    APP,
+    BASE_DIGEST,
+    BASE_NAME,
+    ENVIRONMENT,
+    ENVIRONMENTS,
+    GPU,
+    PREFIX,
+    TITLE,
+)
+from rosml.images.join.environments import join, require_apart
 from rosml.images.join.layers import Joined, Source, as_source, platform
 from rosml.images.join.transfer import Transfer
 from rosml.images.matrix.tags import DATED
@@ -65,6 +76,7 @@ class Rebaser:
         self._transfer = Transfer(registries, say)
         self.attachments = Attachments(self._transfer)
         self._bases = TargetBases(services, registries, say)
+        self.require_apart = cache(self._require_apart)
 
     def __enter__(self) -> Rebaser:
         return self
@@ -148,12 +160,21 @@ class Rebaser:
         compatibility.require_fit(app, base)
         joined = onto.joined(platform)
         below = as_source(joined, base) if joined else base
+        for name in onto.parts.values():
+            self.require_apart(name, onto.place, platform)
         new = image.moved(app, below, self._bases.labels(app, onto.target, onto.parts) | dict(labels))
         if joined:
             new = replace(new, layers=(*joined.layers, new.layers[-1]))
         self._transfer.require_allowed(new.labels, str(target), target)
         contents, judgement = self._judge(app, below, (onto.place, *onto.parts.values()), platform)
         return Member(app, new, contents), judgement
+
+    def _require_apart(self, part: str, base: str, platform: str) -> None:
+        """Checks the files of a part that is an environment. For the same two it is done once: many apps have them."""
+        source, _ = self.attachments.member(part, platform)
+        if source and source.labels.get(ENVIRONMENT):
+            files, base_files = (self.attachments.base(name, platform).files for name in (part, base))
+            require_apart(source, files, {base: base_files})
 
     def _judge(self, app: Source, base: Source, places: Sequence[str], platform: str) -> tuple[BaseContents, Judgement]:
         old_base, submit = attachments.base_of(app), self._transfer.pool.submit

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import copy
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import Any
 
 from rosml.base import untrusted
@@ -12,7 +12,6 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.image_set import labels
 from rosml.images.join import label_claims, layers
-from rosml.images.join.file_lists import Files
 from rosml.images.join.layers import Joined, Source
 from rosml.registry import oci
 
@@ -100,14 +99,28 @@ def misfit(environment: Mapping[str, str], image: Mapping[str, str], image_name:
     return ""
 
 
-_MODULE = re.compile(r"opt/env/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.py|\.[^/]+\.so)")
+_FOLDER = "opt/env"
+"""Where environments have their folders, without the first slash."""
+
+_MODULE = re.compile(
+    rf"{_FOLDER}/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.py|\.[^/]+\.so)"
+)
 _ROS_PACKAGE = re.compile(r"(?:usr|opt/ros/[^/]+)/share/([^/]+)/package\.xml")
 
 
-def shadowed(environment: Files, image: Files) -> str:
-    """A package of ROS of which an environment has a module of the same name, by name the first; empty if there is none."""
-    modules = {match[1] for path in environment.entries if (match := _MODULE.fullmatch(path))}
-    return min(modules & {match[1] for path in image.entries if (match := _ROS_PACKAGE.fullmatch(path))}, default="")
+def require_apart(environment: Source, files: Collection[str], others: Mapping[str, Iterable[str]]) -> None:
+    """Checks that an environment has files in its folder alone, and that none hides a module of ROS. `others`: the files of the images
+    that it is joined to, by their names."""
+    folder = f"{_FOLDER}/{environment.labels[labels.ENVIRONMENT]}/"
+    if outside := min((path for path in files if not path.startswith(folder)), default=""):
+        text = f"{environment.name} has /{outside}, and an environment has files below /{folder} alone"
+        raise RosmlError(text, "build it again, or take another one", exit_code=2)
+    modules = {match[1] for path in files if (match := _MODULE.fullmatch(path))}
+    for name, paths in others.items():
+        hidden = modules & {match[1] for path in paths if (match := _ROS_PACKAGE.fullmatch(path))}
+        if hidden:
+            text = f"{environment.name} would hide the module {min(hidden)} of ROS, which {name} has"
+            raise RosmlError(text, "leave that package out of the environment", exit_code=2)
 
 
 def _config(image: Source, environments: Sequence[Source], merged: dict[str, str]) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
-from itertools import combinations, permutations
+from itertools import combinations
 from typing import Any
 
 from rosml.base.errors import RosmlError
@@ -18,7 +18,7 @@ from rosml.images.image_set import restricted
 from rosml.images.image_set.labels import ENVIRONMENT, JOINED, OCI
 from rosml.images.image_set.restricted import Declared
 from rosml.images.join import facts, file_lists, short_names
-from rosml.images.join.environments import join, require_python, shadowed
+from rosml.images.join.environments import join, require_apart, require_python
 from rosml.images.join.file_lists import COPY, Files, Lists
 from rosml.images.join.layers import Joined, Source
 from rosml.images.join.transfer import Transfer, Transferred
@@ -169,11 +169,11 @@ class Joiner:
                 text = f"{name} and {other} both carry /{path}: one would hide the other's"
                 remedy = "remove the file, or the package that has it, from one of them, and publish that image again"
                 raise RosmlError(text, remedy, exit_code=2)
-        environments = {source.name for source in sources if source.labels.get(ENVIRONMENT)}
-        for (name, files), (other, others) in permutations(pairs, 2):
-            if name in environments and other not in environments and (module := shadowed(files, others)):
-                text = f"{name} would hide the module {module} of ROS, which {other} has"
-                raise RosmlError(text, "leave that package out of the environment", exit_code=2)
+        environments = {source.name: source for source in sources if source.labels.get(ENVIRONMENT)}
+        beside = {name: files.entries for name, files in pairs if name not in environments}
+        for name, files in pairs:
+            if name in environments:
+                require_apart(environments[name], files.entries, beside)
         return unlisted
 
     def _files(self, source: Source, beside: Sequence[Source]) -> Files | None:

@@ -39,7 +39,7 @@ def beside(host: str, repository: str) -> str:
 
 
 def find(transfer: Transfer, name: str, python: str, places: Sequence[str]) -> str:
-    """The reference of the environment `name` for a Python, in the first of these places that has it.
+    """The reference of the environment `name` for a Python, with its tag and its digest, in the first of these places that has it.
 
     Args:
         places: registries with a path, such as `ghcr.io/me/rosml`. Empty ones do not count.
@@ -59,8 +59,8 @@ def find(transfer: Transfer, name: str, python: str, places: Sequence[str]) -> s
             refused += f"; {error.message}"
             continue
         if manifest:
-            _require_environment(transfer.one(candidate, manifest), name)
-            return candidate
+            require_environment(transfer.one(candidate, manifest), name)
+            return f"{candidate}@{manifest.digest}"
         others |= {tag for tag in tags if re.fullmatch(rf"{name}-py3[0-9]+", tag)}
     instead = f"; there is {some(sorted(others))}" if others else ""
     text = f"there is no environment {name} for Python {python}: no {listed(candidates, 'or')}{instead}{refused}"
@@ -68,8 +68,8 @@ def find(transfer: Transfer, name: str, python: str, places: Sequence[str]) -> s
     raise RosmlError(text, f"{remedy}; or name an environment in full", exit_code=2)
 
 
-def _require_environment(image: Source, name: str) -> None:
-    """Checks that an environment is what its tag says."""
+def require_environment(image: Source, name: str) -> None:
+    """Checks that an environment is what its tag, or a lock, says."""
     label_claims.require(image.labels, image.name)
     if (claim := image.labels.get(labels.ENVIRONMENT, "")) != name:
         text = f"{image.name} is {f'environment {claim}' if claim else 'no environment'}, and not {name}"

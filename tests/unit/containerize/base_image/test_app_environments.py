@@ -63,6 +63,13 @@ def test_one_of_the_local_registry_and_one_that_the_base_image_has(place: Place)
     assert addons.onto(base, "", place.services, BOTH, None, "policy") is base
 
 
+def test_a_lock_that_names_something_else(place: Place) -> None:
+    base, policy = plain(place), environment(place)
+    part("common", "cpu").put(place.registry, "rosml/env", "other", BOTH)
+    with pytest.raises(RosmlError, match="is no environment, and not policy"):
+        with_policy(place, base, {policy: place.digest(f"{policy.rpartition(':')[0]}:other")})
+
+
 @pytest.mark.parametrize(
     ("facts", "environments", "problem"),
     [

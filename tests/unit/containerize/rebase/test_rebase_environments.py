@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from fakes.rebasing import (
     BASE_FACTS,
     BOTH,
@@ -80,3 +82,16 @@ def test_one_that_is_gone(place: Place) -> None:
         if repository == "rosml/env":
             del place.server.manifests[(repository, name)]
     assert "there is no environment policy for Python 3.11" in place.refused(app, place.base("tonight"))
+
+
+@pytest.mark.parametrize(
+    ("file", "message"),
+    [
+        ("etc/ld.so.preload", "has /etc/ld.so.preload, and an environment has files below /opt/env/policy/ alone"),
+        ("opt/env/policy/lib/python3.11/site-packages/rospy/__init__.py", "would hide the module rospy of ROS"),
+    ],
+)
+def test_one_beside_it_that_would_change_the_image(file: str, message: str, place: Place) -> None:
+    app = app_with_environment(place, place.base(), environment(place))
+    environment(place, "newer", files=(file,))
+    assert message in place.refused(app, place.base("tonight", files=("usr/share/rospy/package.xml",)))

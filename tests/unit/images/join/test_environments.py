@@ -6,11 +6,13 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from fakes.joins import AMD64, BOTH, TORCH, Place, joining
 from rosml.images.image_set import labels
+from rosml.images.join import short_names
 from tests.e2e import parts
 
 
@@ -86,6 +88,12 @@ def test_a_module_of_ros(module: str, place: Place) -> None:
     place.join(image, environment(place, files=[f"{site}/numpy/__init__.py"]))
 
 
+@pytest.mark.parametrize("file", ["etc/ld.so.preload", "opt/env/other/bin/x", "opt/env/policy", "opt/env/policy2/x"])
+def test_files_outside_its_folder(file: str, place: Place) -> None:
+    error = place.refused(place.ros(), environment(place, files=["opt/env/policy/pyvenv.cfg", file]))
+    assert f"has /{file}, and an environment has files below /opt/env/policy/ alone" in error.message
+
+
 def test_two_of_one_name(place: Place) -> None:
     error = place.refused(place.ros(), environment(place), environment(place))
     assert "the environment policy twice" in error.message and error.exit_code == 2
@@ -120,6 +128,20 @@ def test_a_tag_that_is_another_environment(place: Place) -> None:
     assert "is environment other, and not policy" in place.refused(place.ros(), "env:policy").message
     error = place.refused(place.labelled_ros(python=""), "env:policy")
     assert "has no label io.rosml.python" in error.message
+
+
+def test_a_tag_that_moves_meanwhile(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The image gets what was looked at."""
+    base, policy = place.ros(), environment(place)
+    layers, find = place.layers(base, policy), short_names.find
+
+    def find_and_move(*arguments: Any) -> str:
+        reference = find(*arguments)
+        environment(place, more={labels.ENVIRONMENT: "other"}, files=["opt/env/other/x"])
+        return reference
+
+    monkeypatch.setattr(short_names, "find", find_and_move)
+    assert joined_layers(place, base, "env:policy") == layers
 
 
 def test_one_in_the_place_of_a_ros_image(place: Place) -> None:
