@@ -45,6 +45,11 @@ def shown(text: str) -> str:
     return text
 
 
+def line(text: str) -> str:
+    """A text from outside as one line. With more lines, it could look as if the command said them."""
+    return " ".join(text.split())
+
+
 def echo(text: str = "", err: bool = False, nl: bool = True) -> None:
     """Prints a text on standard output or standard error. All commands print by this, since much text comes from outside."""
     click.echo(shown(text), err=err, nl=nl)

@@ -16,6 +16,10 @@ _PATH = r"[a-z0-9]+(?:(?:[._]|__|-+)[a-z0-9]+)*(?:/[a-z0-9]+(?:(?:[._]|__|-+)[a-
 _REFERENCE = re.compile(rf"({_HOST})/({_PATH})(?::({TAG}))?(?:@({DIGEST}))?")
 
 
+LONGEST_TAG = 128
+"""The most characters of a tag, as `TAG` has it."""
+
+
 class Reference(NamedTuple):
     host: str
     repository: str

@@ -138,10 +138,10 @@ def _print(answers: Sequence[Answer], database: str) -> None:
         name = f"{answer.image} {answer.platform}".rstrip()
         if answer.state == "clear":
             continue
-        terminal.echo(f"{answer.state:<9} {name}")
+        terminal.echo(f"{answer.state:<9} {terminal.line(name)}")
         lines = [*map(_hit, answer.hits), *([answer.fix] if answer.fix else []), *answer.notes]
         for line in lines:
-            terminal.echo(f"          {line}")
+            terminal.echo(f"          {terminal.line(line)}")
     commands = dict.fromkeys(answer.command for answer in answers if answer.command)
     for line in commands:
         terminal.echo(f"fix: {command.call()} {line}")

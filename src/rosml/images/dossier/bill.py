@@ -9,7 +9,7 @@ from typing import Any
 
 from packageurl import PackageURL
 
-from rosml.base import untrusted
+from rosml.base import terminal, untrusted
 from rosml.images.scan.deployed import NO_HASH
 from rosml.images.scan.sbom import LARGEST
 
@@ -42,7 +42,9 @@ def items(item: Item, *path: str) -> list[Item]:
 
 
 def shortened(words: str) -> str:
-    return words if len(words) <= LONGEST else f"{words[:LONGEST]}… ({len(words) - LONGEST:,} characters more)"
+    """A stranger's words to show: one line, and not too long."""
+    shown = terminal.line(words[:LONGEST])
+    return shown if len(words) <= LONGEST else f"{shown}… ({len(words) - LONGEST:,} characters more)"
 
 
 @dataclass(frozen=True)

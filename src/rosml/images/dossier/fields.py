@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from rosml.images.dossier.bill import REASONS, Bill, Component, counted_by, items, text
+from rosml.images.dossier.bill import REASONS, Bill, Component, counted_by, items, shortened, text
 
 NTIA, BSI = "NTIA", "BSI"
 BOTH = (NTIA, BSI)
@@ -77,7 +77,7 @@ def _counted(bill: Bill, question: _Asked) -> Field:
     for component in bill.components:
         if why := question.lacks(bill, component):
             better = component.properties.get(f"{REASONS}{question.key}", "") if question.key else ""
-            reasons.setdefault(better or why, []).append(component.title)
+            reasons.setdefault(shortened(better) or why, []).append(component.title)
     lacks = tuple(
         Lack(reason, number, tuple(reasons[reason][:EXAMPLES]))
         for reason, number in counted_by(reason for reason, names in reasons.items() for _ in names)

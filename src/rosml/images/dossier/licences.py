@@ -122,15 +122,11 @@ def listing(texts: Iterable[Texts], listed: bool) -> str:
         "Each text goes with the image as long as nobody removes it there.",
     ]
     for licence in sorted(by_licence):
-        lines += ["", _line(licence), ""]
+        lines += ["", licence, ""]
         for it in sorted(by_licence[licence], key=lambda it: it.component):
             more = [f"and {it.more} more"] if it.more else []
-            lines.append(f"  {_line(it.component)}: {', '.join([*map(_line, it.places), *more]) or 'no text'}")
+            lines.append(f"  {it.component}: {', '.join([*it.places, *more]) or 'no text'}")
     return "\n".join(lines) + "\n"
-
-
-def _line(words: str) -> str:
-    return re.sub(r"\s+", " ", words)
 
 
 def read(registry: Registry, image: Source) -> tuple[frozenset[str] | None, str]:

@@ -176,7 +176,7 @@ def _origin(dossier: Dossier) -> str:
 def _rebuild(dossier: Dossier) -> str:
     if dossier.rebuild is None:
         return _say("Its labels do not say.")
-    commands = f"<pre>{_safe(chr(10).join(dossier.rebuild.commands))}</pre>" if dossier.rebuild.commands else ""
+    commands = f"<pre>{chr(10).join(map(_safe, dossier.rebuild.commands))}</pre>" if dossier.rebuild.commands else ""
     return commands + _list(dossier.rebuild.notes)
 
 

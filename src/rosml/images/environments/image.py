@@ -7,15 +7,17 @@ from functools import partial
 from pathlib import Path
 
 from rosml.base.errors import RosmlError
+from rosml.base.problems import listed
 from rosml.images.environments import build
 from rosml.images.environments.lock import Lock
 from rosml.images.image_set.labels import PREFIX
-from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.image_set.model import Image, ImageSet, tags_of
 from rosml.images.join import short_names
 from rosml.images.join.environments import AGAIN, misfit
 from rosml.images.join.joiner import Joiner, JoinReport
 from rosml.images.scan import together
 from rosml.machine.services import Services
+from rosml.registry import references
 from rosml.registry.client import Registries
 
 
@@ -26,7 +28,17 @@ def read(image: Image, names: Iterable[str], folder: Path, architectures: Iterab
     for name, locks in every.items():
         if reason := misfit(build.labels_of(locks), labels, image.target):
             raise RosmlError(reason, AGAIN.format(name, image.target), exit_code=2)
+    if len(tags_of(image)[0]) + len(_end(every)) > references.LONGEST_TAG:
+        text = f"a tag has at most {references.LONGEST_TAG} characters, and that of {image.target} with {listed([*every])} has more"
+        raise RosmlError(
+            text, "name fewer, and join the others: rosml join IMAGE env:NAME --tag REFERENCE", exit_code=2
+        )
     return every
+
+
+def _end(names: Iterable[str]) -> str:
+    """What the tag of an image with environments has at its end. No name has `_`, so other environments have another tag."""
+    return f"-env-{'_'.join(sorted(names))}"
 
 
 def join(
@@ -43,4 +55,4 @@ def join(
         Registries(services.ca_bundle) as registries,
         Joiner(registries, say=say, describe=partial(together.attach, registries, say)) as joiner,
     ):
-        return joiner.join(reference, built, f"{reference}-env-{'-'.join(every)}")
+        return joiner.join(reference, built, f"{reference}{_end(every)}")

@@ -277,6 +277,14 @@ def call(place: Place, monkeypatch: pytest.MonkeyPatch, *arguments: str) -> tupl
     return getattr(done.exception, "exit_code", done.exit_code), done.output
 
 
+def test_a_component_says_no_line_of_its_own(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
+    app = put(place, based(place, GOOD), "robot", "libssl3@3.0.1\nfix: rosml \x1b[2Ax\r\n0 affected")
+    code, output = call(place, monkeypatch, "libssl3", app)
+    lines = output.splitlines()
+    assert code == 3 and lines[1].startswith("          libssl3 3.0.1 fix: rosml x 0 affected, of the app")
+    assert not any(line.startswith(("fix:", "0 affected")) for line in lines)
+
+
 def test_the_command(place: Place, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     base = based(place, BAD)
     put(place, base, "robot", BAD)

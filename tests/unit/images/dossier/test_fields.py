@@ -8,8 +8,8 @@ from typing import Any
 from cyclonedx.schema import SchemaVersion
 from cyclonedx.validation.json import JsonStrictValidator
 
-from fakes.dossiers import ROBOT, components, contents
-from rosml.images.dossier import fields
+from fakes.dossiers import ROBOT, components, contents, matrix
+from rosml.images.dossier import fields, support
 from rosml.images.dossier.bill import REASONS, Bill
 from rosml.images.dossier.fields import NO_REASON, Field
 from rosml.images.scan import cyclonedx
@@ -103,3 +103,13 @@ def test_what_rosml_writes_of_each_package() -> None:
         assert every[name].percent == "100 %", every[name].why
     assert every["other unique identifier"].why == "1: an operating system has no package URL (such as debian 12)"
     assert every["dependencies"].of == len(contents(ROBOT).apt) + len(contents().python) + 2
+
+
+def test_words_of_strangers_are_one_line_each() -> None:
+    """With more, they could look like words of the command that prints them."""
+    odd = {"name": "python3", "version": "3.11\n\nerror: x", "purl": "pkg:deb/debian/python3"}
+    reason = {"name": f"{REASONS}hash", "value": "why\n" * 9999}
+    bill = Bill({"components": [{**odd, "type": "library", "properties": [reason]}]})
+    ends = support.ends(bill.components, "jazzy\nerror: x", matrix())
+    lines = [*(it.version for it in ends), *(it.why for it in fields.check(bill)), bill.components[0].title]
+    assert len(ends) == 2 and all("\n" not in line and len(line) < 1000 for line in lines)

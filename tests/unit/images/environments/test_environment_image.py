@@ -16,6 +16,7 @@ from rosml.images.environments import add, build, image
 from rosml.images.environments.build import BuiltEnvironment
 from rosml.images.environments.lock import Lock
 from rosml.images.image_set import labels, load
+from rosml.images.join.joiner import Joiner
 from rosml.machine.services import Services
 from tests.e2e.parts import environment
 
@@ -64,6 +65,22 @@ def test_the_image_with_it_has_a_tag_of_its_own(place: Place, tmp_path: Path, mo
     assert report.reference == f"{base}-env-policy" and prefixes == [f"{place.server.address}/me"]
     manifest = place.manifest("me/ros", report.manifests["linux/amd64"])
     assert place.registry.config("me/ros", manifest).labels[labels.ENVIRONMENTS] == "policy"
+
+
+def test_the_tags_of_several(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Other environments have another tag, in whatever order they are named; one that is too long is refused before a build."""
+    target, tags = load.load_one(MATRIX, TARGET).by_target[TARGET], list[str]()
+    monkeypatch.setattr(Joiner, "join", lambda *it: tags.append(it[3].rpartition("-env-")[2]))
+    monkeypatch.setattr(build, "publish", lambda *_: BuiltEnvironment("", "", "", {}, 0.0))
+    for names in (["a-b", "c"], ["c", "a-b"], ["a", "b-c"]):
+        every = {name: list[Lock]() for name in names}
+        image.join(Services.load(tmp_path, required=False), load.load_one(MATRIX, TARGET), "h/r:t", every, print)
+    assert tags == ["a-b_c", "a-b_c", "a_b-c"]
+    long = [letter * 60 for letter in "ab"]
+    for name in long:
+        add.write(tmp_path / name, [Lock(name, "3.11", "amd64", 36, TORCH, TORCH, ())], ["amd64"])
+    with pytest.raises(RosmlError, match="a tag has at most 128 characters"):
+        image.read(target, long, tmp_path, ["amd64"])
 
 
 @pytest.mark.parametrize(
