@@ -132,7 +132,7 @@ FROM assembler AS environment-files
 ARG ENVIRONMENT GLIBC PYTHON TARGETARCH
 ARG BYTECODE=checked-hash
 RUN --mount=type=bind,source=components/build/network.sh,target=/run/components/build/network.sh \
-    --mount=type=bind,source=components/environment/assemble.sh,target=/run/components/environment/assemble.sh \
+    --mount=type=bind,source=components/environment,target=/run/components/environment \
     --mount=type=bind,source=components/part/bytecode.sh,target=/run/components/part/bytecode.sh \
     --mount=type=bind,source=components/part/normalise.sh,target=/run/components/part/normalise.sh \
     --mount=type=bind,from=environment-locks,target=/run/locks \

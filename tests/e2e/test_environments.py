@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import os
+import re
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +24,8 @@ from tests.e2e.images import PLATFORM, Publish, build_file, config, layers
 
 BYTES = 20_000
 """What joining an image may upload, for each platform a manifest and a config with all its history."""
+
+POLICIES = Path(__file__).parent / "policies"
 
 PROGRAM = """\
 import gymnasium, numpy, rospy, sys
@@ -129,3 +133,35 @@ def test_apps_with_an_environment(
     assert layers(services, f"{place}/grasp:moved") == layers(services, f"{place}/grasp:latest")
     output = build_file(services, tmp_path / "run", f"FROM {place}/grasp:moved\nRUN /entrypoint.sh rosrun grasp act\n")
     assert "acts with gymnasium ['a']" in output
+
+
+@pytest.mark.full(proof="wheels")
+def test_messages_of_ros_2_with_both_numpys(
+    services: Services, published: Publish, policy: dict[str, Any], tmp_path: Path
+) -> None:
+    ros, image = published("jazzy-wheels-core").reference, f"{services.registry}/{NAMESPACE}/with-env:ros2"
+    rosml("join", ros, policy["reference"].partition("@")[0], "--tag", image)
+    steps = [f"RUN /entrypoint.sh {python} /messages.py" for python in ("python3", "/opt/env/policy/bin/python")]
+    shutil.copy(POLICIES / "messages.py", tmp_path)
+    output = build_file(services, tmp_path, "\n".join([f"FROM {image}", "COPY messages.py /", *steps, ""]))
+    versions = re.findall(r"messages: \d+ types, \d+ with arrays, numpy (\d)", output)
+    assert versions == ["1", "2"]
+
+
+@pytest.mark.full(proof="cuda")
+def test_policies(services: Services, published: Publish, tmp_path: Path) -> None:
+    """Each in one process with messages of ROS. They take PyTorch and numpy of the image."""
+    target, image = "ros1-bookworm-core-torch-cu128", f"{services.registry}/{NAMESPACE}/with-env:policies"
+    reference = published(target).reference
+    packages = ("stable-baselines3", "jax", "onnxruntime", "onnx", "diffusers", "transformers")
+    options = ("--folder", str(tmp_path / "environments"))
+    path = {"PATH": f"{Path(services.uv).parent}:{os.environ['PATH']}"}
+    rosml("env", "add", "policies", *packages, "--image", target, *options, env=path)
+    built = json.loads(rosml("env", "build", "policies", *options, "--namespace", NAMESPACE, "--json").out)
+    rosml("join", reference, built["reference"].partition("@")[0], "--tag", image)
+    shutil.copytree(POLICIES, tmp_path / "policies")
+    programs = ("stable_baselines", "in_jax", "in_onnx", "in_diffusers")
+    steps = [f"RUN --network=none /entrypoint.sh /opt/env/policies/bin/python /policies/{name}.py" for name in programs]
+    output = build_file(services, tmp_path, "\n".join([f"FROM {image}", "COPY policies /policies", *steps, ""]))
+    acting = re.findall(r"acts: (\S+) \S+ with numpy 1\S+ in /opt/env/policies", output)
+    assert acting == ["stable-baselines3", "jax", "onnxruntime", "diffusers"]

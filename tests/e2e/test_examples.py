@@ -132,6 +132,17 @@ def test_torch_node(services: Services, published: Publish, tmp_path: Path) -> N
 
 
 @pytest.mark.full(proof="cuda")
+def test_policy(services: Services, published: Publish, tmp_path: Path) -> None:
+    """A policy of LeRobot in its environment, in one process with rclpy."""
+    reference = published("jazzy-wheels-core-torch-cu128").reference
+    rosml("env", "build", "lerobot", "--namespace", NAMESPACE)
+    environment, image = f"{NAMESPACE}/env:lerobot-py311", f"{services.registry}/{NAMESPACE}/examples/joined:policy"
+    rosml("join", reference, f"{services.registry}/{environment}", "--tag", image)
+    check = says("act with PyTorch .* on cpu", command("policy"))
+    example(services, "policy", base(services, image, "policy"), tmp_path, check)
+
+
+@pytest.mark.full(proof="cuda")
 def test_torch_nodelet(services: Services, published: Publish, tmp_path: Path) -> None:
     image = base(services, published("ros1-bookworm-core-torch-cu128").reference, "torch-nodelet")
     example(services, "torch-nodelet", image, tmp_path, says("PyTorch .* on cpu", command("torch-nodelet")))
