@@ -8,7 +8,8 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import ConfigDict, Field, ValidationError
+from pydantic import AfterValidator, ConfigDict, Field, ValidationError
+from pydantic_core import PydanticCustomError
 
 from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
@@ -28,7 +29,14 @@ character that ends a line for uv: an option could follow, by which it builds a 
 
 _MOST = 256
 
-_Requirement = Annotated[str, Field(pattern=rf"^{REQUIREMENT}$", max_length=400)]
+
+def _is_requirement(text: str) -> str:
+    if not re.fullmatch(REQUIREMENT, text):
+        raise PydanticCustomError("requirement", "{text} is no package of an index with versions", {"text": repr(text)})
+    return text
+
+
+_Requirement = Annotated[str, Field(max_length=400), AfterValidator(_is_requirement)]
 _Package = Annotated[str, Field(pattern=rf"^{_PACKAGE}$", max_length=200)]
 
 
@@ -82,14 +90,16 @@ def _checked(requirements: Iterable[str], without: Iterable[str]) -> Declaration
     try:
         return Declaration(requirements=[*dict.fromkeys(requirements)], without=[*dict.fromkeys(without)])
     except ValidationError as error:
-        remedy = "write packages of an index with versions, such as 'lerobot==0.4.4'"
+        remedy = "write each as lerobot==0.4.4, without hashes and addresses"
         raise RosmlError(f"requirements of an environment: {first_of(error)}", remedy, exit_code=2) from None
 
 
 def _of_word(word: str) -> Iterable[str]:
-    if word.endswith(".toml"):
-        return _of_project(Path(word))
-    return _of_list(Path(word)) if word.endswith(".txt") else (word,)
+    if not word.endswith((".toml", ".txt")):
+        return (word,)
+    if not (file := Path(word)).is_file():  # a pipe would never end
+        raise RosmlError(f"there is no file {files.shown(file)}", "write its path, or a requirement", exit_code=2)
+    return _of_project(file) if word.endswith(".toml") else _of_list(file)
 
 
 def _of_project(file: Path) -> list[str]:

@@ -103,7 +103,7 @@ _FOLDER = "opt/env"
 """Where environments have their folders, without the first slash."""
 
 _MODULE = re.compile(
-    rf"{_FOLDER}/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.py|\.[^/]+\.so)"
+    rf"{_FOLDER}/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.pyc?|\.[^/]+\.so)"
 )
 _ROS_PACKAGE = re.compile(r"(?:usr|opt/ros/[^/]+)/share/([^/]+)/package\.xml")
 

@@ -120,9 +120,10 @@ def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]], ho
 
 
 def created(config: Config) -> float:
-    """When an image was made, in seconds since 1970; 0 if its config does not say."""
-    with suppress(ValueError):
-        return datetime.fromisoformat(config.created or "").timestamp()
+    """When an image was made, in seconds since 1970; 0 if its config does not say. A time without a zone is one of UTC."""
+    with suppress(ValueError, OverflowError):
+        time = datetime.fromisoformat(config.created or "")
+        return (time if time.tzinfo else time.replace(tzinfo=UTC)).astimezone(UTC).timestamp()
     return 0.0
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -53,6 +54,21 @@ def test_no_addresses_and_folders(word: str) -> None:
     with pytest.raises(RosmlError, match="requirements of an environment") as caught:
         declaration.declared([word], [])
     assert caught.value.exit_code == 2
+
+
+@pytest.mark.parametrize("name", ["gone.txt", "gone.toml", "pipe.txt", "folder.toml"])
+def test_files_that_are_none(name: str, tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.txt")
+    (tmp_path / "folder.toml").mkdir()
+    with pytest.raises(RosmlError, match=f"there is no file .*{name}") as caught:
+        declaration.declared([str(tmp_path / name)], [])
+    assert caught.value.exit_code == 2
+
+
+def test_a_wrong_line_is_named(tmp_path: Path) -> None:
+    (tmp_path / "requirements.txt").write_text(f"numpy\nsix==1 --hash=sha256:{'a' * 64}\n")
+    with pytest.raises(RosmlError, match=r"requirements\[1\]: 'six==1 --hash=sha256:a*' is no package of an index"):
+        declaration.declared([str(tmp_path / "requirements.txt")], [])
 
 
 def test_dependencies_that_a_program_decides(tmp_path: Path) -> None:

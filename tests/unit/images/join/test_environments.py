@@ -79,7 +79,9 @@ def test_what_does_not_fit(facts: dict[str, str], message: str, place: Place) ->
     assert re.search(message, error.message) and error.exit_code == 2
 
 
-@pytest.mark.parametrize("module", ["rospy/__init__.py", "rospy.py", "rospy.cpython-311-x86_64-linux-gnu.so"])
+@pytest.mark.parametrize(
+    "module", ["rospy/__init__.py", "rospy.py", "rospy.pyc", "rospy.cpython-311-x86_64-linux-gnu.so"]
+)
 def test_a_module_of_ros(module: str, place: Place) -> None:
     image = place.ros(files=["usr/share/rospy/package.xml", "usr/lib/python3/dist-packages/numpy/__init__.py"])
     site = "opt/env/policy/lib/python3.11/site-packages"

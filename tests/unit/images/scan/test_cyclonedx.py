@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import time
 from typing import Any
 
 import pytest
@@ -13,6 +14,7 @@ from rosml.images.scan import cyclonedx
 from rosml.images.scan import needs as needs_of
 from rosml.images.scan.packages import Apt, Packages, Python, Ros, System
 from rosml.images.scan.sbom import Sbom
+from rosml.registry.documents import Config
 
 TIME = 1_700_000_000.0
 
@@ -156,3 +158,25 @@ def test_a_part_of_a_part_keeps_its_name() -> None:
     document = json.loads(cyclonedx.joined("x/app@sha256:3", TIME, [("base", both)]))
     (torch,) = (item for item in document["components"] if item["name"] == "torch")
     assert [it["value"] for it in torch["properties"] if it["name"] == cyclonedx.PART] == ["torch"]
+
+
+@pytest.mark.parametrize(
+    ("created", "seconds"),
+    [
+        ("2026-01-01T00:00:00", 1767225600.0),  # wherever it is read
+        ("2026-01-01T01:00:00+01:00", 1767225600.0),
+        ("9999-12-31T23:59:59Z", 253402300799.0),
+        ("0001-01-01T00:00:00+23:59", 0.0),
+        ("9999-12-31T23:59:59-23:59", 0.0),
+        ("yesterday", 0.0),
+    ],
+)
+def test_any_time_of_an_image(created: str, seconds: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TZ", "Asia/Tokyo")
+    time.tzset()
+    try:
+        assert cyclonedx.created(Config(created=created)) == seconds
+        cyclonedx.joined("x/ros@sha256:0", seconds, [("core", of_ros())])
+    finally:
+        monkeypatch.undo()
+        time.tzset()
