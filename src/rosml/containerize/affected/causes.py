@@ -16,6 +16,9 @@ ROS = "pkg:generic/ros/"
 EDGES = 100_000
 """The most dependencies that are read: an image with all frameworks has a third of them."""
 
+STEPS = 500_000
+"""The most steps from one package to another, for all components of an app together. After them, who needs a component itself is its cause."""
+
 COMPONENTS, CAUSES = 100, 20
 """The most components that causes are looked up for, and the most causes of each."""
 
@@ -32,6 +35,7 @@ class Causes:
     """The causes within an app, by the package URLs of components."""
 
     def __init__(self, bill: Bill) -> None:
+        self._steps = STEPS
         self._titles, self._ros = dict[str, str](), set[str]()
         self._refs, self._users = defaultdict[str, list[str]](list), defaultdict[str, list[str]](list)
         for it in bill.components[:MOST]:
@@ -54,9 +58,10 @@ class Causes:
         direct = dict.fromkeys(user for ref in refs for user in self._users.get(ref, ()))
         through = {**dict.fromkeys(refs, ""), **{user: user for user in direct}}
         queue, causes = deque(direct), list[str]()
-        while queue:
+        while queue and self._steps > 0:
             ref = queue.popleft()
             users = self._users.get(ref, ())
+            self._steps -= 1 + len(users)
             if ref in self._ros or not users:
                 causes.append(ref)
                 continue

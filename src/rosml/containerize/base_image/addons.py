@@ -29,6 +29,7 @@ from rosml.images.matrix.validate import validate
 from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import references
 from rosml.registry.client import Registries
+from rosml.registry.failures import Busy
 
 _STACK, _PYTHON, _FRAMEWORK = (labels.PREFIX + name for name in ("stack", "python", "framework"))
 _DISTRIBUTION, _COMPONENT = (labels.PREFIX + name for name in ("distribution", "component"))
@@ -208,6 +209,8 @@ class _Search:
         try:
             tag = self._beside(name, python)
             candidates.append((tag, self._environment(name, tag)))
+        except Busy:  # the one beside the base image may be another
+            raise
         except RosmlError as error:
             missing = error
         if tag := _locked(name, python, app_digests):

@@ -38,6 +38,9 @@ def join(ros: Source, parts: Sequence[Source]) -> Joined:
     if twice := [name for number, name in enumerate(names) if name in (*present, *names[:number])]:
         text = f"{image.name} would have the environment {listed([*dict.fromkeys(twice)])} twice"
         raise RosmlError(text, "leave one of them out", exit_code=2)
+    if (number := len(present) + len(names)) > label_claims.MOST:
+        text = f"{image.name} would have {number} environments, and an image has at most {label_claims.MOST}"
+        raise RosmlError(text, "leave some of them out", exit_code=2)
     environments.sort(key=lambda environment: environment.labels[labels.ENVIRONMENT])
     merged = {**image.labels, labels.ENVIRONMENTS: " ".join(sorted([*present, *names]))}
     config = oci.encoded(_config(image, environments, merged))

@@ -16,6 +16,7 @@ from rosml.images.join.transfer import Transfer
 from rosml.images.matrix import names
 from rosml.images.matrix.patterns import NAME
 from rosml.registry import references
+from rosml.registry.failures import Busy
 
 KIND = f"{ENVIRONMENTS}:"
 
@@ -45,7 +46,7 @@ def find(transfer: Transfer, name: str, python: str, places: Sequence[str]) -> s
         places: registries with a path, such as `ghcr.io/me/rosml`. Empty ones do not count.
 
     Raises:
-        RosmlError: there is none, or a tag is of something else.
+        RosmlError: there is none, or a tag is of something else; Busy if a registry is too busy to say.
     """
     tag = names.environment_name(name, python)
     candidates = [f"{place}/{ENVIRONMENTS}:{tag}" for place in dict.fromkeys(places) if place]
@@ -55,6 +56,8 @@ def find(transfer: Transfer, name: str, python: str, places: Sequence[str]) -> s
         try:
             manifest = transfer.manifest(where)
             tags = [] if manifest else transfer.registries(where.host).tags(where.repository)
+        except Busy:  # what another place has may be something else
+            raise
         except RosmlError as error:  # the registry does not answer, or wants a log-in
             refused += f"; {error.message}"
             continue

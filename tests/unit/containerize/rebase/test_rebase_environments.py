@@ -75,6 +75,12 @@ def test_another_python_is_the_reason(place: Place) -> None:
     assert "was built on Python 3.11, and " in place.refused(app, other)
 
 
+def test_a_registry_that_is_too_busy_to_say(place: Place) -> None:
+    app = app_with_environment(place, place.base(), environment(place))
+    place.server.fault("GET", "/v2/rosml/env/manifests/policy-py311", 503, times=1 << 30)
+    assert "503" in place.refused(app, place.base("tonight"), code=1)
+
+
 def test_one_that_is_gone(place: Place) -> None:
     app = app_with_environment(place, place.base(), environment(place))
     place.server.tags["rosml/env"].clear()

@@ -104,6 +104,11 @@ def test_two_of_one_name(place: Place) -> None:
     assert "the environment policy twice" in error.message
 
 
+def test_too_many(place: Place) -> None:
+    image = place.labelled_ros(environments=" ".join(f"e{number}" for number in range(64)))
+    assert "would have 65 environments" in place.refused(image, environment(place)).message
+
+
 def test_a_short_name_is_beside_the_image_or_in_the_local_registry(place: Place) -> None:
     base, host = place.ros(), place.server.address
     environment(place, place_of="local")
@@ -114,6 +119,13 @@ def test_a_short_name_is_beside_the_image_or_in_the_local_registry(place: Place)
 
 def joined_layers(place: Place, *images: str) -> list[str]:
     return [layer["digest"] for layer in place.image(place.join(*images))[0]["layers"]]
+
+
+def test_a_registry_that_is_too_busy_to_say(place: Place) -> None:
+    """The environment in the local registry may be another."""
+    environment(place, place_of="local")
+    place.server.fault("GET", "/v2/me/env/manifests/policy-py311", 503, times=1 << 30)
+    assert "503" in place.refused(place.ros(), "env:policy").message
 
 
 def test_a_short_name_of_none(place: Place) -> None:
