@@ -13,7 +13,8 @@ from typing import Any
 from cyclonedx.spdx import is_expression, is_supported_id
 
 from rosml import __version__
-from rosml.images.dossier.bill import Bill, Component, Item, Licence, text
+from rosml.images.dossier.bill import Bill, Component, Item, Licence, items, text
+from rosml.images.scan import cyclonedx
 from rosml.images.scan.deployed import FILENAME
 from rosml.registry import oci
 
@@ -87,33 +88,30 @@ class _Names:
     """Identifiers of packages, each given once."""
 
     def __init__(self) -> None:
-        self._taken = set[str]()
+        self._taken = dict[str, int]()  # how many have had each
 
     def of(self, component: Component) -> str:
         """Readers tell an operating system by the beginning of its identifier."""
         kinds = {"operating-system": "OperatingSystem", "container": "ContainerImage"}
         words = (kinds.get(component.type, "Package"), component.ref or component.name)
         name = "SPDXRef-" + "-".join(re.sub(r"[^A-Za-z0-9.]+", "-", word)[:200].strip("-") or "none" for word in words)
-        new, number = name, 1
+        new, number = name, self._taken.get(name, 0) + 1
         while new in self._taken:
             number += 1
             new = f"{name}-{number}"
-        self._taken.add(new)
+        self._taken |= {name: number, new: 1}
         return new
 
 
 def _time(bill: Bill) -> str:
     """In SPDX's form, which has whole seconds and a Z."""
-    time = re.match(r"\d{4}-\d\d-\d\dT\d\d:\d\d:\d\d", text(bill.content, "metadata", "timestamp"))
-    return f"{time[0]}Z" if time else "1970-01-01T00:00:00Z"
+    time = cyclonedx.moment(text(bill.content, "metadata", "timestamp"))
+    return f"{time.replace(tzinfo=None).isoformat(timespec='seconds')}Z"
 
 
 def _creators(bill: Bill) -> Iterator[str]:
     yield f"Tool: rosml-{__version__}"
-    about = _object(bill.content, "metadata")
-    for entity in about.get("authors") or ():
-        if isinstance(entity, dict) and (name := _entity(entity)):
-            yield f"Organization: {name}"
+    yield from (f"Organization: {name}" for it in items(bill.content, "metadata", "authors") if (name := _entity(it)))
 
 
 def _entity(entity: Item) -> str:

@@ -120,11 +120,16 @@ def joined(reference: str, created: float, sboms: Iterable[tuple[str, Sbom]], ho
 
 
 def created(config: Config) -> float:
-    """When an image was made, in seconds since 1970; 0 if its config does not say. A time without a zone is one of UTC."""
+    """When an image was made, in seconds since 1970; 0 if its config does not say."""
+    return moment(config.created or "").timestamp()
+
+
+def moment(text: str) -> datetime:
+    """A time as others write it, in UTC; that of 1970 if it is none. One without a zone is UTC's."""
     with suppress(ValueError, OverflowError):
-        time = datetime.fromisoformat(config.created or "")
-        return (time if time.tzinfo else time.replace(tzinfo=UTC)).astimezone(UTC).timestamp()
-    return 0.0
+        time = datetime.fromisoformat(text)
+        return (time if time.tzinfo else time.replace(tzinfo=UTC)).astimezone(UTC)
+    return datetime.fromtimestamp(0, UTC)
 
 
 def _of_part(component: dict[str, Any], name: str) -> dict[str, Any]:

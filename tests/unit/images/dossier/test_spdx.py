@@ -119,6 +119,15 @@ def test_bad_input() -> None:
     needs = [{"ref": "b/../b", "dependsOn": ["b\\b", "nothing", 3]}, {"ref": 1}, "x"]
     started = time.monotonic()
     document = converted(components(*odd, dependencies=needs))
+    same = [{"bom-ref": "x", "name": "x"}] * 20_000
+    for authors in (True, 3, {"name": "x"}, "x", [3, {"name": 3}]):
+        content = {"metadata": {"authors": authors, "timestamp": "2026-01-01T01:00:00+01:00"}, "components": same}
+        facts = json.loads(spdx_document.document(Bill(content), REFERENCE))
+        assert (
+            facts["creationInfo"]["created"] == "2026-01-01T00:00:00Z" and len(facts["creationInfo"]["creators"]) == 1
+        )
+        assert len({it["SPDXID"] for it in facts["packages"]}) == len(facts["packages"]) == len(same) + 1
+        same = same[:2]
     assert time.monotonic() - started < 5
     require_sound(document)
     assert [it["SPDXID"] for it in document["packages"][2:4]] == ["SPDXRef-Package-b-..-b", "SPDXRef-Package-b-b"]
