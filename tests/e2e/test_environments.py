@@ -56,10 +56,10 @@ def policy(
     path = {"PATH": f"{Path(services.uv).parent}:{os.environ['PATH']}"}
     output = rosml("env", "add", "policy", "numpy>=2,<2.3", "gymnasium", "--image", BASE, *options, env=path).out
     assert "amd64.txt: " in output and "arm64.txt: " in output and " to download" in output
-    built = json.loads(rosml("env", "build", "policy", *options, "--namespace", NAMESPACE, "--json").out)
-    again: dict[str, Any] = json.loads(
-        rosml("env", "build", "policy", *options, "--namespace", NAMESPACE, "--json").out
-    )
+    call = ("env", "build", "policy", *options, "--namespace", NAMESPACE, "--json")
+    [built] = json.loads(rosml(*call).out)
+    again: dict[str, Any]
+    [again] = json.loads(rosml(*call).out)
     assert again["digest"] == built["digest"]
     return again
 
@@ -157,7 +157,7 @@ def test_policies(services: Services, published: Publish, tmp_path: Path) -> Non
     options = ("--folder", str(tmp_path / "environments"))
     path = {"PATH": f"{Path(services.uv).parent}:{os.environ['PATH']}"}
     rosml("env", "add", "policies", *packages, "--image", target, *options, env=path)
-    built = json.loads(rosml("env", "build", "policies", *options, "--namespace", NAMESPACE, "--json").out)
+    [built] = json.loads(rosml("env", "build", "policies", *options, "--namespace", NAMESPACE, "--json").out)
     rosml("join", reference, built["reference"].partition("@")[0], "--tag", image)
     shutil.copytree(POLICIES, tmp_path / "policies")
     programs = ("stable_baselines", "in_jax", "in_onnx", "in_diffusers")

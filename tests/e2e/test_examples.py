@@ -135,7 +135,7 @@ def test_torch_node(services: Services, published: Publish, tmp_path: Path) -> N
 def test_policy(services: Services, published: Publish, tmp_path: Path) -> None:
     """A policy of LeRobot in its environment, in one process with rclpy."""
     reference = published("jazzy-wheels-core-torch-cu128").reference
-    rosml("env", "build", "lerobot", "--namespace", NAMESPACE)
+    rosml("env", "build", "lerobot", "--python", "3.11", "--namespace", NAMESPACE)
     environment, image = f"{NAMESPACE}/env:lerobot-py311", f"{services.registry}/{NAMESPACE}/examples/joined:policy"
     rosml("join", reference, f"{services.registry}/{environment}", "--tag", image)
     check = says("act with PyTorch .* on cpu", command("policy"))

@@ -12,6 +12,7 @@ import click
 from rosml import MATRIX as MATRIX_FILE
 from rosml import ROOT
 from rosml.base import terminal
+from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.cli import options
 from rosml.cli.checkout import Command
@@ -67,6 +68,9 @@ def main(image: str, platform: str, output: Path | None, **values: Any) -> None:
     from rosml.machine.services import Services
     from rosml.registry.client import Registries
 
+    signer = values["signer"]
+    if signer and "://" not in signer and not Path(signer).is_file():
+        raise RosmlError(f"there is no public key {signer}", "name its file, or a workflow: https://…", exit_code=2)
     folder = output or Path(f"{_name(image)}-dossier")
     write.require_free(folder)
     matrix = load.without_locks(MATRIX_FILE).matrix

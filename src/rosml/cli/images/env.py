@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 class _Call:
     name: str
     requirements: tuple[str, ...]
-    image: str
+    images: tuple[str, ...]
     without: tuple[str, ...]
     upgrade: bool
     folder: Path
@@ -56,7 +56,13 @@ def main() -> None:
 @main.command("add", short_help="Writes the lock of an environment.")
 @click.argument("name")
 @click.argument("requirements", nargs=-1, metavar="[REQUIREMENT]...")
-@click.option("--image", required=True, metavar="IMAGE", help="the bake target that it stands on, such as jazzy-base")
+@click.option(
+    "--image",
+    "images",
+    multiple=True,
+    metavar="IMAGE",
+    help="the bake target that it stands on, such as jazzy-base; repeatable, for several Pythons",
+)
 @click.option(
     "--without",
     multiple=True,
@@ -68,10 +74,10 @@ def main() -> None:
 @_FOLDER
 @sharing("matrix", "json")
 def add(**options: Any) -> None:
-    """Resolves the environment NAME on an image, and writes its lock for each architecture.
+    """Resolves the environment NAME on images, and writes its lock for each Python and architecture.
 
     A REQUIREMENT is a package as pip writes it, a requirements.txt or a pyproject.toml. Without any, those of the earlier call
-    count, and --without leaves out more. Only wheels are installed.
+    count, and --without leaves out more. Images of earlier calls stay, one for each Python. Only wheels are installed.
     """
     from rosml.images.environments import add as adding
     from rosml.images.environments import declaration
@@ -81,18 +87,22 @@ def add(**options: Any) -> None:
     call = _Call(**options)
     place = call.folder / short_names.require(call.name)
     words = call.requirements
-    earlier = None if words else declaration.read(place)
-    request = declaration.leaving_out(earlier, call.without) if earlier else declaration.declared(words, call.without)
+    earlier = declaration.read(place) if not words or (place / declaration.FILE).exists() else None
+    wish = declaration.changed(earlier, words, call.without)
     image_set = load.load(call.matrix, ROOT)
-    locks = adding.resolved(adding.Request(call.name, request, place, call.upgrade), image_set, call.image, say)
-    changed = request if request != earlier else None
-    adding.write(place, (it.lock for it in locks), image_set.matrix.architectures, changed)
+    wish = adding.with_images(wish, call.images, image_set)
+    request = adding.Request(call.name, wish, place, call.upgrade)
+    locks = [it for target in wish.images for it in adding.resolved(request, image_set, target, say)]
+    adding.write(place, (it.lock for it in locks), wish if wish != earlier else None)
+    if earlier and wish.requirements != earlier.requirements:
+        say(f"{place / declaration.FILE} had other requirements: {', '.join(earlier.requirements)}")
     _show(place, locks, call.as_json)
 
 
 def _show(place: Path, locks: Sequence[Sized], as_json: bool) -> None:
-    from rosml.base.problems import listed
+    from rosml.base.problems import counted, listed
     from rosml.base.units import size
+    from rosml.images.environments.lock import file_of
 
     if as_json:
         facts = [
@@ -108,10 +118,22 @@ def _show(place: Path, locks: Sequence[Sized], as_json: bool) -> None:
         terminal.echo(json.dumps(facts, indent=2))
         return
     for lock, bytes_ in locks:
-        terminal.echo(f"{place / lock.architecture}.txt: {len(lock.pins)} packages, {size(bytes_)} to download")
+        file = file_of(place, lock.python, lock.architecture)
+        terminal.echo(f"{file}: {counted(len(lock.pins), 'package')}, {size(bytes_)} to download")
         if lock.takes:
             taken = [f"{package} {version}" for package, version in sorted(lock.takes.items())]
             terminal.echo(f"  from the image: {listed(taken)}")
+
+
+@dataclass(frozen=True)
+class _Build:
+    name: str
+    registry: str
+    python: str
+    folder: Path
+    matrix: Path
+    namespace: str
+    as_json: bool
 
 
 @main.command("build", short_help="Builds an environment into a registry.")
@@ -122,11 +144,14 @@ def _show(place: Path, locks: Sequence[Sized], as_json: bool) -> None:
     metavar="PREFIX",
     help="push it there, beside your base images, such as ghcr.io/me/rosml; into the local registry if left out",
 )
+@click.option(
+    "--python", default="", metavar="VERSION", help="only for this one, such as 3.12; for all with a lock if left out"
+)
 @_FOLDER
 @sharing("matrix", "namespace", "json")
-def build(name: str, registry: str, folder: Path, matrix: Path, namespace: str, as_json: bool) -> None:
-    """Builds the environment NAME for all architectures that have a lock, without emulation, and pushes it into the local registry, or another
-    one.
+def build(**options: Any) -> None:
+    """Builds the environment NAME for all Pythons and architectures that have a lock, without emulation, and pushes it into the local registry,
+    or another one.
 
     'rosml join' puts it onto an image, 'rosml containerize --env NAME' below an app.
 
@@ -141,18 +166,21 @@ def build(name: str, registry: str, folder: Path, matrix: Path, namespace: str, 
     from rosml.machine.services import Services
     from rosml.registry.place import Place
 
-    short_names.require(name)
-    place = str(Place.at(registry.lower())) if registry else ""
-    image_set = load.load(matrix, ROOT)
-    locks = building.read(folder / name, name, image_set.matrix.architectures)
+    call = _Build(**options)
+    name = short_names.require(call.name)
+    place = str(Place.at(call.registry.lower())) if call.registry else ""
+    image_set = load.load(call.matrix, ROOT)
+    locks = building.read(call.folder / name, name, image_set.matrix.architectures, call.python)
     services = Services.load(ROOT)
     services.require_registry()
     services.require_builder()
-    built = building.publish(services, image_set, locks, place or f"{services.registry}/{namespace}", say)
-    if as_json:
-        terminal.echo(json.dumps(built.to_json(), indent=2))
+    prefix = place or f"{services.registry}/{call.namespace}"
+    every = [building.publish(services, image_set, same, prefix, say) for same in locks]
+    if call.as_json:
+        terminal.echo(json.dumps([built.to_json() for built in every], indent=2))
         return
-    terminal.echo(f"{built.reference}  {built.seconds:.0f} s")
-    for platform, bytes_ in built.layers.items():
-        terminal.echo(f"  {platform}  {bytes_ / 1e6:.1f} MB")
+    for built in every:
+        terminal.echo(f"{built.reference}  {built.seconds:.0f} s")
+        for platform, bytes_ in built.layers.items():
+            terminal.echo(f"  {platform}  {bytes_ / 1e6:.1f} MB")
     terminal.echo(f"join it to an image: rosml join IMAGE {short_names.KIND}{name} --tag REFERENCE")

@@ -185,7 +185,7 @@ class Search:
                 fixes.append(f"{below.name or 'its base image'} has {listed(sorted(of_base & present))} as well")
             elif below.newest:
                 newer = below.newest.place.reference
-                fixes.append(f"{below.newest.name} has it no more")
+                fixes.append(f"{below.newest.name} no longer has it")
                 command = "" if of_app or of_parts or lost else self._command(answer.image)
         return replace(answer, base=below.name, newer_base=newer, fix="; ".join(fixes), command=command)
 

@@ -182,10 +182,10 @@ def _property(name: str, of_system: str = "") -> Callable[[Bill, Component], str
     return lacks
 
 
-def _reference(*kinds: str) -> Callable[[Bill, Component], str]:
+def _reference(why: str, *kinds: str) -> Callable[[Bill, Component], str]:
     def lacks(_bill: Bill, component: Component) -> str:
         present = {text(it, "type") for it in items(component.content, "externalReferences")}
-        return "" if present & {*kinds} else "its metadata names none"
+        return "" if present & {*kinds} else why
 
     return lacks
 
@@ -206,8 +206,20 @@ _FIELDS: Sequence[_Asked] = (
     _Asked("executable property", (BSI,), _property("executable", _FILE), "executable"),
     _Asked("archive property", (BSI,), _property("archive", _FILE), "archive"),
     _Asked("structured property", (BSI,), _property("structured", _FILE), "structured"),
-    _Asked("URI of the source code", (BSI,), _reference("source-distribution", "vcs"), "source", optional=True),
-    _Asked("URI of what was deployed", (BSI,), _reference("distribution"), "distribution", optional=True),
+    _Asked(
+        "URI of the source code",
+        (BSI,),
+        _reference("rosml does not look for it", "source-distribution", "vcs"),
+        "source",
+        optional=True,
+    ),
+    _Asked(
+        "URI of what was deployed",
+        (BSI,),
+        _reference("its metadata names none", "distribution"),
+        "distribution",
+        optional=True,
+    ),
 )
 
 

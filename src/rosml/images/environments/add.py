@@ -38,8 +38,8 @@ class Request:
     folder: Path
     upgrade: bool = False
 
-    def previous(self, architecture: str) -> str:
-        file = self.folder / f"{architecture}.txt"
+    def previous(self, python: str, architecture: str) -> str:
+        file = locks.file_of(self.folder, python, architecture)
         text = "" if self.upgrade or not file.is_file() else files.text(file)
         return text if locks.parse(text) else ""  # uv would follow what somebody wrote into it
 
@@ -52,9 +52,7 @@ def resolved(
     Raises:
         RosmlError: there is no such image, or nothing fits; then it names releases of other stacks that do.
     """
-    image = image_set.by_target.get(target)
-    if image is None:
-        raise RosmlError(f"there is no image {target}", "see all with: rosml list", exit_code=2)
+    image = _image(image_set, target)
     if reason := unlocked(image):
         raise RosmlError(f"{target} {reason}", "name another image", exit_code=2)
     uv = uv or Uv()
@@ -64,13 +62,27 @@ def resolved(
         for architecture in image.architectures:
             say(f"resolve {request.name} on {target} for {architecture}")
             provider = provider_of(image_set.matrix, image, architecture)
-            previous = request.previous(architecture)
+            previous = request.previous(provider.python, architecture)
             try:
                 lock = locks.resolved(request.name, request.declaration, provider, uv, previous)
             except NoSolution as error:
                 raise _refused(request.declaration, image_set, image, provider, uv, error) from None
             every.append(Sized(lock, _size(index, lock, provider.wheels)))
     return every
+
+
+def with_images(declaration: Declaration, targets: Iterable[str], image_set: ImageSet) -> Declaration:
+    """A declaration for images beside those that it has. One takes the place of an earlier one with the same Python."""
+    by_python = {_image(image_set, target).python: target for target in (*declaration.images, *targets)}
+    if not by_python:
+        raise RosmlError("no image is named", "name the one that it stands on: --image jazzy-base", exit_code=2)
+    return declaration.model_copy(update={"images": sorted(by_python.values())})
+
+
+def _image(image_set: ImageSet, target: str) -> Image:
+    if target not in image_set.by_target:
+        raise RosmlError(f"there is no image {target}", "see all with: rosml list", exit_code=2)
+    return image_set.by_target[target]
 
 
 def provider_of(matrix: Matrix, image: Image, architecture: str) -> Provider:
@@ -120,12 +132,11 @@ def _size(index: Index, lock: Lock, wheels: str) -> int:
     return sum(wheel.size for wheel in index.wheels(target, pins).values()) if pins else 0
 
 
-def write(
-    folder: Path, every: Iterable[Lock], architectures: Iterable[str], declaration: Declaration | None = None
-) -> None:
-    """Writes locks, with their declaration if it is new, and removes those of `architectures` that the image does not have."""
-    folder.mkdir(parents=True, exist_ok=True)
-    texts = {folder / f"{lock.architecture}.txt": str(lock) for lock in every}
+def write(folder: Path, every: Iterable[Lock], declaration: Declaration | None = None) -> None:
+    """Writes all locks of an environment, with its declaration if it is new, and removes locks of other Pythons and architectures."""
+    texts = {locks.file_of(folder, lock.python, lock.architecture): str(lock) for lock in every}
+    for place in (folder, *(file.parent for file in texts)):
+        place.mkdir(parents=True, exist_ok=True)
     files.write_all({**texts, **({folder / FILE: content(declaration)} if declaration else {})})
-    for file in {folder / f"{architecture}.txt" for architecture in architectures} - texts.keys():
-        file.unlink(missing_ok=True)
+    for file in {*folder.glob(locks.FILES)} - texts.keys():
+        file.unlink()

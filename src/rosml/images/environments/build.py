@@ -16,7 +16,7 @@ from rosml.images.bake.targets import ENVIRONMENT
 from rosml.images.builds import base_images, contents
 from rosml.images.builds.push import Push, push
 from rosml.images.environments import lock as locks
-from rosml.images.environments.declaration import FOLDER
+from rosml.images.environments.declaration import FILE, FOLDER
 from rosml.images.environments.lock import Lock
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import ENVIRONMENTS, ImageSet
@@ -41,14 +41,27 @@ class BuiltEnvironment:
         return asdict(self)
 
 
-def read(folder: Path, name: str, architectures: Iterable[str]) -> list[Lock]:
-    """The locks of an environment, one for each architecture. Raises a RosmlError if there is none, or they do not go together."""
-    every = [locks.read(file) for item in architectures if (file := folder / f"{item}.txt").is_file()]
-    again = "make them again: rosml env add NAME --image IMAGE"
+def read(folder: Path, name: str, architectures: Iterable[str], python: str = "") -> list[list[Lock]]:
+    """The locks of an environment, for each Python those of all architectures; only those of `python` if it is not empty.
+
+    Raises:
+        RosmlError: there is none, or they do not go together.
+    """
+    pythons = [python] if python else sorted({file.parent.name for file in folder.glob(locks.FILES)})
+    every = []
+    for version in pythons:
+        places = (locks.file_of(folder, version, architecture) for architecture in architectures)
+        if same := [locks.read(file) for file in places if file.is_file()]:
+            every.append(same)
     if not every:
-        raise RosmlError(f"{folder} has no lock", again, exit_code=2)
-    if len({(it.name, it.python, it.glibc) for it in every}) > 1 or every[0].name != name:
-        raise RosmlError(f"the locks in {folder} are not of one environment {name} and one Python", again, exit_code=2)
+        text = f"{folder} has no lock{f' for Python {python}' if python else ''}"
+        words = "" if (folder / FILE).exists() else " REQUIREMENT..."
+        raise RosmlError(text, f"make it: rosml env add {name}{words} --image IMAGE", exit_code=2)
+    if any(len({lock.glibc for lock in same}) > 1 for same in every) or {it.name for same in every for it in same} != {
+        name
+    }:
+        text = f"the locks in {folder} are not of one environment {name}"
+        raise RosmlError(text, f"make them again: rosml env add {name}", exit_code=2)
     return every
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -38,15 +38,18 @@ def _is_requirement(text: str) -> str:
 
 _Requirement = Annotated[str, Field(max_length=400), AfterValidator(_is_requirement)]
 _Package = Annotated[str, Field(pattern=rf"^{_PACKAGE}$", max_length=200)]
+_Target = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9.-]*$", max_length=200)]
 
 
 class Declaration(Shape):
-    """`requirements` as pip writes them; packages of `without` stay out, whoever needs them."""
+    """`requirements` as pip writes them; packages of `without` stay out, whoever needs them. `images`: the bake targets that it has locks for,
+    one of each Python."""
 
     model_config = ConfigDict(strict=True, frozen=True, extra="forbid")
 
     requirements: Annotated[list[_Requirement], Field(min_length=1, max_length=_MOST)]
     without: Annotated[list[_Package], Field(max_length=_MOST)] = []
+    images: Annotated[list[_Target], Field(max_length=_MOST)] = []
 
 
 def read(folder: Path) -> Declaration:
@@ -65,7 +68,7 @@ def read(folder: Path) -> Declaration:
 
 def content(declaration: Declaration) -> str:
     """The text of the file. A comment of the file before does not stay."""
-    facts = {"requirements": declaration.requirements, "without": declaration.without}
+    facts = {"requirements": declaration.requirements, "without": declaration.without, "images": declaration.images}
     return "".join(_lines({name: texts for name, texts in facts.items() if texts}))
 
 
@@ -76,19 +79,21 @@ def _lines(facts: dict[str, list[str]]) -> Iterator[str]:
         yield "]\n"
 
 
-def declared(words: Iterable[str], without: Iterable[str]) -> Declaration:
-    """What words of a command line ask for: requirements, and files that have some (requirements.txt, pyproject.toml)."""
-    return _checked((item for word in words for item in _of_word(word)), without)
+def changed(earlier: Declaration | None, words: Sequence[str], without: Iterable[str]) -> Declaration:
+    """What a command line asks for: requirements, and files that have some (requirements.txt, pyproject.toml), for the images of before.
 
-
-def leaving_out(declaration: Declaration, packages: Iterable[str]) -> Declaration:
-    """A declaration that leaves out these packages as well."""
-    return _checked(declaration.requirements, (*declaration.without, *packages))
-
-
-def _checked(requirements: Iterable[str], without: Iterable[str]) -> Declaration:
+    Without words, it is what was before, without more packages.
+    """
+    requirements = [item for word in words for item in _of_word(word)]
+    stay_out = [*without]
+    if earlier and not words:
+        requirements, stay_out = earlier.requirements, [*earlier.without, *stay_out]
     try:
-        return Declaration(requirements=[*dict.fromkeys(requirements)], without=[*dict.fromkeys(without)])
+        return Declaration(
+            requirements=[*dict.fromkeys(requirements)],
+            without=[*dict.fromkeys(stay_out)],
+            images=earlier.images if earlier else [],
+        )
     except ValidationError as error:
         remedy = "write each as lerobot==0.4.4, without hashes and addresses"
         raise RosmlError(f"requirements of an environment: {first_of(error)}", remedy, exit_code=2) from None

@@ -23,7 +23,9 @@ from rosml.registry.client import Registries
 
 def read(image: Image, names: Iterable[str], folder: Path, architectures: Iterable[str]) -> dict[str, list[Lock]]:
     """The locks of environments by their names. Raises a RosmlError if one does not go with the image."""
-    every = {name: build.read(folder / short_names.require(name), name, architectures) for name in names}
+    every = {
+        name: build.read(folder / short_names.require(name), name, architectures, image.python)[0] for name in names
+    }
     labels = {f"{PREFIX}{name}": text for name, text in {**image.versions, "python": image.python}.items()}
     for name, locks in every.items():
         if reason := misfit(build.labels_of(locks), labels, image.target):

@@ -82,13 +82,21 @@ def _pinned(versions: Mapping[str, str]) -> str:
     return "".join(f" {name}=={version}" for name, version in sorted(versions.items()))
 
 
+FILES = "3.*/*.txt"
+"""The locks in the folder of an environment: each below its Python, named by its architecture."""
+
+
+def file_of(folder: Path, python: str, architecture: str) -> Path:
+    """The lock of an environment for a Python and an architecture, in the environment's folder."""
+    return folder / python / f"{architecture}.txt"
+
+
 def read(file: Path) -> Lock:
-    """A lock, whose file is named by its architecture. Raises a RosmlError if it is not there or not whole."""
-    if not file.is_file():
-        raise RosmlError(f"there is no lock {file}", "make it: rosml env add NAME --image IMAGE", exit_code=2)
+    """A lock. Raises a RosmlError if it is not whole, or not in its place."""
     lock = parse(files.text(file))
-    if lock is None or lock.architecture != file.stem:
-        raise RosmlError(f"{file} was cut or edited", "make it again: rosml env add NAME --image IMAGE", exit_code=2)
+    if lock is None or (lock.python, lock.architecture) != (file.parent.name, file.stem):
+        text = f"{file} was cut or edited"
+        raise RosmlError(text, f"make it again: rosml env add {file.parents[1].name}", exit_code=2)
     return lock
 
 

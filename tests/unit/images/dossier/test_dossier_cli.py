@@ -70,6 +70,7 @@ def test_wrong_input(place: Shop, tmp_path: Path) -> None:
         (("robot",), "is no reference"),
         ((reference, "--output", "mine"), "mine has other files than those of a dossier"),
         ((reference, "--platform", "arm64"), "is not for arm64"),
+        ((reference, "--signer", "gone.pub"), "there is no public key gone.pub"),
     ):
         code, _, err = called(*arguments)
         assert code == 2 and says in err

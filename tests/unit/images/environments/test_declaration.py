@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from rosml.base.errors import RosmlError
 from rosml.cli.images import env
 from rosml.images.environments import add, declaration
+from rosml.images.environments.add import Sized
 from rosml.images.environments.declaration import FILE, Declaration
 from rosml.images.join import short_names
 
@@ -18,14 +20,14 @@ def test_files_and_words_become_one_list(tmp_path: Path) -> None:
     listed, project = tmp_path / "requirements.txt", tmp_path / "pyproject.toml"
     listed.write_text("# policies\nlerobot==0.4.4  # the last one\n\ngymnasium\n")
     project.write_text('[project]\nname = "a"\ndependencies = ["numpy>=2; python_version > \'3.9\'", "gymnasium"]\n')
-    wish = declaration.declared([str(listed), "jax[cpu]", str(project)], ["evdev"])
+    wish = declaration.changed(None, [str(listed), "jax[cpu]", str(project)], ["evdev"])
     assert wish.requirements == [
         "lerobot==0.4.4",
         "gymnasium",
         "jax[cpu]",
         "numpy>=2; python_version > '3.9'",
     ]
-    add.write(tmp_path / "lerobot", [], [], wish)
+    add.write(tmp_path / "lerobot", [], wish)
     assert declaration.read(tmp_path / "lerobot") == wish
 
 
@@ -37,7 +39,7 @@ def test_options_of_pip_are_refused(text: str, tmp_path: Path) -> None:
     file = tmp_path / "requirements.txt"
     file.write_text(f"numpy\n{text}\n")
     with pytest.raises(RosmlError, match=r"requirements.txt:2 has an option of pip") as caught:
-        declaration.declared([str(file)], [])
+        declaration.changed(None, [str(file)], [])
     assert caught.value.exit_code == 2
 
 
@@ -52,7 +54,7 @@ def test_options_of_pip_are_refused(text: str, tmp_path: Path) -> None:
 )
 def test_no_addresses_and_folders(word: str) -> None:
     with pytest.raises(RosmlError, match="requirements of an environment") as caught:
-        declaration.declared([word], [])
+        declaration.changed(None, [word], [])
     assert caught.value.exit_code == 2
 
 
@@ -61,21 +63,21 @@ def test_files_that_are_none(name: str, tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.txt")
     (tmp_path / "folder.toml").mkdir()
     with pytest.raises(RosmlError, match=f"there is no file .*{name}") as caught:
-        declaration.declared([str(tmp_path / name)], [])
+        declaration.changed(None, [str(tmp_path / name)], [])
     assert caught.value.exit_code == 2
 
 
 def test_a_wrong_line_is_named(tmp_path: Path) -> None:
     (tmp_path / "requirements.txt").write_text(f"numpy\nsix==1 --hash=sha256:{'a' * 64}\n")
     with pytest.raises(RosmlError, match=r"requirements\[1\]: 'six==1 --hash=sha256:a*' is no package of an index"):
-        declaration.declared([str(tmp_path / "requirements.txt")], [])
+        declaration.changed(None, [str(tmp_path / "requirements.txt")], [])
 
 
 def test_dependencies_that_a_program_decides(tmp_path: Path) -> None:
     project = tmp_path / "pyproject.toml"
     project.write_text('[project]\nname = "a"\ndynamic = ["dependencies"]\n')
     with pytest.raises(RosmlError, match="no list of dependencies"):
-        declaration.declared([str(project)], [])
+        declaration.changed(None, [str(project)], [])
 
 
 @pytest.mark.parametrize("name", ["", "LeRobot", "../a", "a/b", "a b", "-a", "a--b", "a" * 65, "a\n"])
@@ -101,15 +103,40 @@ def test_damaged_declarations(text: str, tmp_path: Path) -> None:
     assert caught.value.exit_code == 2 and FILE in caught.value.message
 
 
-def test_a_call_without_requirements_leaves_out_more(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(add, "resolved", lambda *_: [])
-    place, call = tmp_path / "policy", ["policy", "--image", "jazzy-base", "--folder", str(tmp_path)]
-    add.write(place, [], [], Declaration(requirements=["lerobot"], without=["evdev"]))
-    env.main.main(["add", *call, "--without", "opencv-python"], standalone_mode=False)
-    assert declaration.read(place) == Declaration(requirements=["lerobot"], without=["evdev", "opencv-python"])
+def test_calls_keep_what_they_do_not_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Packages to leave out, and images: one of each Python, for all of which locks are made again."""
+    targets = list[str]()
+
+    def resolved(*arguments: Any) -> list[Sized]:
+        targets.append(arguments[2])
+        return []
+
+    monkeypatch.setattr(add, "resolved", resolved)
+    first, other, newer = "ros1-bookworm-core", "ros1-bookworm-base", "ros1-trixie-core"
+    place = tmp_path / "policy"
+
+    def call(*words: str) -> Declaration:
+        targets.clear()
+        env.main.main(["add", "policy", *words, "--folder", str(tmp_path)], standalone_mode=False)
+        wish = declaration.read(place)
+        assert targets == wish.images
+        return wish
+
+    with pytest.raises(RosmlError, match="no image is named"):
+        call("lerobot")
+    assert call("lerobot", "--without", "evdev", "--image", first).images == [first]
+    assert call("--without", "opencv-python", "--image", newer) == Declaration(
+        requirements=["lerobot"], without=["evdev", "opencv-python"], images=[first, newer]
+    )
+    assert call("--image", other).images == [other, newer]
     (place / FILE).write_text(f"# why\n{(place / FILE).read_text()}")
-    env.main.main(["add", *call], standalone_mode=False)
+    call()
     assert (place / FILE).read_text().startswith("# why")  # nothing new is in it
+    capsys.readouterr()
+    assert call("jax") == Declaration(requirements=["jax"], images=[other, newer])
+    assert "had other requirements: lerobot" in capsys.readouterr().err
 
 
 def test_without_a_declaration(tmp_path: Path) -> None:
@@ -119,5 +146,5 @@ def test_without_a_declaration(tmp_path: Path) -> None:
 
 def test_quotes_stay_quotes(tmp_path: Path) -> None:
     wish = Declaration(requirements=['numpy; platform_machine == "x86_64"'])
-    add.write(tmp_path, [], [], wish)
+    add.write(tmp_path, [], wish)
     assert declaration.read(tmp_path) == wish

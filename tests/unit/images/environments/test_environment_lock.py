@@ -98,8 +98,10 @@ def test_an_index_that_does_not_answer() -> None:
 
 def test_a_lock_is_read_as_it_was_written(tmp_path: Path) -> None:
     result = lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))
-    add.write(tmp_path, [result], ARCHITECTURES)
-    (read,) = build.read(tmp_path, "lerobot", ARCHITECTURES)
+    newer = replace(result, python="3.13")
+    add.write(tmp_path, [result, newer], WISH)
+    ((read,), other) = build.read(tmp_path, "lerobot", ARCHITECTURES)
+    assert [*map(str, other)] == [str(newer)] and build.read(tmp_path, "lerobot", ARCHITECTURES, "3.13") == [other]
     assert str(read) == str(result) and read.takes == result.takes and read.glibc == 36
 
 
@@ -123,14 +125,17 @@ def test_a_lock_is_read_as_it_was_written(tmp_path: Path) -> None:
 def test_a_lock_that_somebody_edited(text: str, other: str, tmp_path: Path) -> None:
     whole = str(lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"])))
     assert text in whole
-    (tmp_path / "amd64.txt").write_text(whole.replace(text, other))
+    file = lock.file_of(tmp_path, "3.11", "amd64")
+    file.parent.mkdir()
+    file.write_text(whole.replace(text, other))
     with pytest.raises(RosmlError, match="was cut or edited"):
         build.read(tmp_path, "lerobot", ARCHITECTURES)
 
 
 def test_a_resolution_starts_from_a_whole_lock_alone(tmp_path: Path) -> None:
     """uv would follow `-r` in another text, and stop at the marks that git leaves."""
-    file, request = tmp_path / "amd64.txt", add.Request("lerobot", WISH, tmp_path)
+    file, request = lock.file_of(tmp_path, "3.11", "amd64"), add.Request("lerobot", WISH, tmp_path)
+    file.parent.mkdir()
     whole = str(lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"])))
     for text, previous in {
         whole: whole,
@@ -138,29 +143,30 @@ def test_a_resolution_starts_from_a_whole_lock_alone(tmp_path: Path) -> None:
         f"{whole}<<<<<<< HEAD\n": "",
     }.items():
         file.write_text(text)
-        assert request.previous("amd64") == previous
+        assert request.previous("3.11", "amd64") == previous
 
 
 def test_locks_that_cannot_be_written_leave_the_declaration_as_it_was(tmp_path: Path) -> None:
-    (tmp_path / "arm64.txt").mkdir()
+    lock.file_of(tmp_path, "3.11", "arm64").mkdir(parents=True)
     first = lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))
     every = [replace(first, architecture=name) for name in ARCHITECTURES]
     with pytest.raises(RosmlError, match=r"arm64\.txt: cannot be"):
-        add.write(tmp_path, every, ARCHITECTURES, WISH)
+        add.write(tmp_path, every, WISH)
     assert not (tmp_path / FILE).exists()
 
 
 def test_locks_of_two_environments(tmp_path: Path) -> None:
     result = lock.resolved("other", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))
-    add.write(tmp_path, [result], ARCHITECTURES)
+    add.write(tmp_path, [result])
     with pytest.raises(RosmlError, match="not of one environment lerobot"):
         build.read(tmp_path, "lerobot", ARCHITECTURES)
 
 
-def test_a_new_lock_removes_those_of_other_architectures(tmp_path: Path) -> None:
-    (tmp_path / "arm64.txt").write_text("of before")
-    add.write(tmp_path, [lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))], ARCHITECTURES)
-    assert [file.name for file in tmp_path.iterdir()] == ["amd64.txt"]
+def test_a_new_lock_removes_those_of_other_images(tmp_path: Path) -> None:
+    first = lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))
+    add.write(tmp_path, [first, replace(first, architecture="arm64"), replace(first, python="3.13")])
+    add.write(tmp_path, [first])
+    assert [*tmp_path.glob("*/*")] == [lock.file_of(tmp_path, "3.11", "amd64")]
 
 
 def test_it_names_images_that_fit_and_can_be_built(tmp_path: Path) -> None:
