@@ -31,6 +31,8 @@ PROOFS = {
     "docker": Proof(8, needs=("engine",)),
     # rosml run, attach, dev and what they export with podman, with root too.
     "engines": Proof(11),
+    # Apps with an environment, and a rebase of one; messages of ROS 2 beside both numpys.
+    "environments": Proof(12),
     # What users install next by pip and uv leaves PyTorch, TensorFlow, CUDA and ROS as they are.
     "everyday": Proof(20),
     # A fork made from the documentation, step by step, passes its own unit tests.

@@ -107,6 +107,7 @@ print("acts with", gymnasium.__name__, JointState(name=["a"]).name)
 INSTALL = "install(PROGRAMS act DESTINATION ${CATKIN_PACKAGE_BIN_DESTINATION})\n"
 
 
+@pytest.mark.full(proof="environments")
 def test_apps_with_an_environment(
     services: Services, published: Publish, policy: dict[str, Any], tmp_path: Path
 ) -> None:
@@ -135,7 +136,7 @@ def test_apps_with_an_environment(
     assert "acts with gymnasium ['a']" in output
 
 
-@pytest.mark.full(proof="wheels")
+@pytest.mark.full(proof="environments")
 def test_messages_of_ros_2_with_both_numpys(
     services: Services, published: Publish, policy: dict[str, Any], tmp_path: Path
 ) -> None:
