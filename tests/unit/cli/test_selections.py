@@ -181,6 +181,7 @@ VALUES: Mapping[str, st.SearchStrategy[str]] = {
     "only": WORDS,
     "checkout": st.sampled_from(["/", "/no/such/folder", ""]),
     "target": WORDS,
+    "environments": WORDS,
     "parts": WORDS,
     "groups": WORDS,
     "explain": WORDS,

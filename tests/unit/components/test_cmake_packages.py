@@ -101,7 +101,8 @@ def tensorflow(
     root = folder / "tensorflow root"
     site = root / SITE
     files(site, *(f"tensorflow/libtensorflow_{x}.so.2" for x in ("cc", "framework")))
-    files(site, f"{beside}.dist-info/RECORD", f"tensorflow_cpu-{version}.dist-info/RECORD")
+    wheel = f"tensorflow_cpu-{version}.dist-info"
+    files(site, f"{beside}.dist-info/RECORD", f"{wheel}/METADATA", f"{wheel}/RECORD")
     release = "release_version.h" if version != "2.13.1" else "version.h"
     include = "tensorflow/include"
     headers = (f"{include}/tensorflow/core/public/{release}", f"{include}/{C_API}", f"{include}/{INTERNAL}")

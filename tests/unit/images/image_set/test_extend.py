@@ -248,6 +248,7 @@ def test_tensorrts_libraries_are_where_the_loader_looks(tmp_path: Path) -> None:
         f"{cc}/tensorrt_libs/__init__.py": "",
         f"{python}/tensorrt_bindings/__init__.py": f"__version__ = '{version}'\nLogger = print\n",
         f"{python}/tensorrt_bindings/plugin/__init__.py": "__all__ = ['register']\nregister = print\n",
+        f"{python}/tensorrt_cu13_bindings-{version}.dist-info/METADATA": "",
         f"{python}/tensorrt_cu13_bindings-{version}.dist-info/RECORD": "tensorrt_bindings/__init__.py,,\n",
     }.items():
         (out / file[1:]).parent.mkdir(parents=True, exist_ok=True)
