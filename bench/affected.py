@@ -20,7 +20,7 @@ from rosml.containerize.affected.inventory import Matches
 from rosml.containerize.affected.query import Query
 from rosml.containerize.affected.search import Search
 from rosml.images.image_set.labels import APP, BASE_DIGEST, BASE_NAME
-from rosml.images.scan import cyclonedx, sbom
+from rosml.images.scan import attached, cyclonedx
 from rosml.images.scan.packages import Apt, Packages, System
 from rosml.images.scan.trivy import Trivy
 from rosml.machine.services import Services
@@ -138,6 +138,6 @@ class _Making:
         component = {**document["metadata"]["component"], "name": f"{registry.host}/{repository}@{digest}"}
         data = oci.encoded({**document, "metadata": {**document["metadata"], "component": component}})
         subject = oci.descriptor(oci.IMAGE, manifest)
-        artifact = registry.attach(repository, subject, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
+        artifact = attached.attach(registry, repository, subject, data)
         self._pushed.update({(repository, digest), (repository, artifact)})
         return f"{registry.host}/{repository}:{tag}"

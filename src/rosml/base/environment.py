@@ -12,7 +12,7 @@ RUN = ("click", "yaml")
 ZSTD = "compression.zstd" if sys.version_info >= (3, 14) else "backports.zstd"
 """Python has it itself since 3.14."""
 
-IMAGES = (ZSTD, "cyclonedx", "httpx", "packageurl", "packaging", "pydantic", "rich")
+IMAGES = (ZSTD, "cyclonedx", "httpx", "msgspec", "packageurl", "packaging", "pydantic", "rich")
 """The modules that all commands need, except `rosml run` and `rosml attach`."""
 
 

@@ -18,7 +18,19 @@ from rosml.cli.images import explain, listing
 from rosml.images.image_set import expand, load, lock_file
 
 HEAVY = {
-    *["asyncio", "httpx", "importlib.metadata", "jinja2", "packageurl", "pydantic", "rich", "ssl", "subprocess", "yaml"]
+    *[
+        "asyncio",
+        "httpx",
+        "importlib.metadata",
+        "jinja2",
+        "msgspec",
+        "packageurl",
+        "pydantic",
+        "rich",
+        "ssl",
+        "subprocess",
+        "yaml",
+    ]
 }
 
 IMPORTS = """\

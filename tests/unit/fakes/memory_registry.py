@@ -168,8 +168,9 @@ class MemoryRegistry(Registry):
 
     def referrers(self, repository: str, subject: str, artifact_type: str = "") -> list[dict[str, Any]]:
         self._read(2)
+        keys = ("artifactType", "annotations")
         return [
-            {"digest": name, "artifactType": manifest.content["artifactType"]}
+            {**manifest.descriptor, **{key: manifest.content[key] for key in keys if key in manifest.content}}
             for name, manifest in list(self.manifests.get(repository, {}).items())
             if (manifest.content.get("subject") or {}).get("digest") == subject
             and artifact_type in ("", manifest.content["artifactType"])

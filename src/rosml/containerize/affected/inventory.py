@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
-import marshal
 import threading
 from collections import defaultdict
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
+from hashlib import blake2b
 from typing import Any
 
 from packageurl import PackageURL
 
 from rosml.containerize.affected.query import Component, Query
 from rosml.images.scan.cyclonedx import PART
-from rosml.images.scan.sbom import OF_A_SYSTEM, Sbom
+from rosml.images.scan.sbom import OF_A_SYSTEM, Sbom, component_of
 from rosml.images.scan.trivy import Report, Trivy
 from rosml.registry import oci
 
 MOST = 100_000
 """The most components of an SBOM that are read."""
+
+_NO_PACKAGE = -1
+"""In place of a number: what is no package, such as the operating system."""
 
 _TRIVY = "aquasecurity:trivy:"
 _SOURCE, _SOURCE_VERSION = f"{_TRIVY}SrcName", f"{_TRIVY}SrcVersion"
@@ -62,34 +65,43 @@ class Inventory:
 
     components: list[Component] = field(default_factory=list)
     _numbers: dict[Component, int] = field(default_factory=dict)
-    _same: defaultdict[str, dict[Hashable, int]] = field(default_factory=lambda: defaultdict(dict))
+    _systems: dict[bytes, str | None] = field(default_factory=dict)
+    _same: defaultdict[str, dict[bytes, int]] = field(default_factory=lambda: defaultdict(dict))
     _lock: Any = field(default_factory=threading.Lock)
 
     def read(self, sbom: Sbom) -> Contents:
         """The components of an SBOM."""
-        items, notes = sbom.raw_components, list[str]()
-        if len(items) > MOST:
-            notes.append(f"its SBOM has {len(items):,} components, and {MOST:,} were read")
-        system = next((_system(item) for item in items[:MOST] if item.get("type") == "operating-system"), "")
-        numbers = self._numbered(items[:MOST], system)
+        texts, notes = sbom.component_texts, list[str]()
+        if len(texts) > MOST:
+            notes.append(f"its SBOM has {len(texts):,} components, and {MOST:,} were read")
+        keys = [blake2b(text, digest_size=16).digest() for text in texts[:MOST]]
+        systems = (self._system_of(key, text) for key, text in zip(keys, texts, strict=False))
+        system = next((system for system in systems if system is not None), "")
+        numbers = self._numbered(keys, texts, system)
         if unnamed := sum(not self.components[number].purl for number in numbers):
             notes.append(f"package URLs that are none: {unnamed}")
         return Contents(numbers, tuple(notes))
 
-    def _numbered(self, items: Iterable[dict[str, Any]], system: str) -> frozenset[int]:
-        """The numbers of an SBOM's packages. SBOMs share most of them: what was read before is only looked up."""
+    def _system_of(self, key: bytes, text: bytes) -> str | None:
+        """The system that a component is; None if it is none."""
+        if key not in self._systems:
+            item = component_of(text)
+            self._systems[key] = _system(item) if item.get("type") == "operating-system" else None
+        return self._systems[key]
+
+    def _numbered(self, keys: Iterable[bytes], texts: Iterable[bytes], system: str) -> frozenset[int]:
+        """The numbers of an SBOM's packages. SBOMs share most of them: a text that was read before is only looked up by its digest."""
         same, numbers = self._same[system], set[int]()
-        for item in items:
-            if item.get("type") != "library":
-                continue
-            key = _key(item)
+        for key, text in zip(keys, texts, strict=False):
             number = same.get(key)
             if number is None:
-                component = _component(item, _properties(item), system)
+                item = component_of(text)
                 with self._lock:
-                    number = same[key] = self._number(component)
+                    is_package = item.get("type") == "library"
+                    number = self._number(_component(item, _properties(item), system)) if is_package else _NO_PACKAGE
+                    same[key] = number
             numbers.add(number)
-        return frozenset(numbers)
+        return frozenset(numbers - {_NO_PACKAGE})
 
     def _number(self, component: Component) -> int:
         number = self._numbers.setdefault(component, len(self.components))
@@ -132,17 +144,6 @@ class Inventory:
         components = [*([of_system] if system else []), *libraries]
         document = {"bomFormat": "CycloneDX", "specVersion": "1.6", "version": 1, "metadata": about}
         return oci.encoded({**document, "components": components})
-
-
-def _key(item: dict[str, Any]) -> Hashable:
-    """What of a component is read, so that it is read once."""
-    try:
-        properties = [(it["name"], it["value"]) for it in item.get("properties", ())]
-        key = item["purl"], item["name"], item["version"], *properties
-        hash(key)
-    except (KeyError, TypeError):  # a stranger's SBOM
-        return marshal.dumps(item, 2)  # a format without references, in which equal values have equal bytes
-    return key
 
 
 def _library(ref: str, component: Component, family: str) -> dict[str, Any]:

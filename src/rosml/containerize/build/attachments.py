@@ -16,7 +16,7 @@ from rosml.containerize.base_image.base import Base
 from rosml.containerize.sources.fetch import Repository
 from rosml.images.builds.contents import FACTS, FILES, LISTS, PACKAGES, manifests
 from rosml.images.join.layers import platform
-from rosml.images.scan import cyclonedx, packages, together
+from rosml.images.scan import attached, cyclonedx, packages, together
 from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE
 from rosml.registry.client import Registry
 
@@ -122,7 +122,7 @@ def attach(
         if not has_sbom:
             image = f"{registry.host}/{repository}@{manifest.digest}"
             data = sbom(load(name, PACKAGES), image, cyclonedx.created(config), origins, name)
-            registry.attach(repository, subject, MEDIA_TYPE, data, MEDIA_TYPE, FORMAT)
+            attached.attach(registry, repository, subject, data)
 
 
 def _has_sbom(registry: Registry, repository: str, digest: str) -> bool:

@@ -151,7 +151,7 @@ class Attachments:
             registry.attach_with_layers(repository, data, content, below)
         if with_sbom and sbom.MEDIA_TYPE not in present:
             data = self.new_sbom(app, base, f"{host}/{repository}@{subject['digest']}")
-            registry.attach(repository, subject, sbom.MEDIA_TYPE, data, sbom.MEDIA_TYPE, sbom.FORMAT)
+            attached.attach(registry, repository, subject, data)
         return registry.sent_by_this_thread - before
 
     def _list(self, place: Reference, kind: str) -> list[Manifest]:

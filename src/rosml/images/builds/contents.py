@@ -14,7 +14,7 @@ from rosml.images.image_set.model import ImageSet
 from rosml.images.join import facts, file_lists
 from rosml.images.join.layers import platform
 from rosml.images.matrix import names
-from rosml.images.scan import cyclonedx, packages, sbom
+from rosml.images.scan import attached, cyclonedx, packages
 from rosml.machine import buildx, exported
 from rosml.machine.services import Services
 from rosml.registry.client import Registry
@@ -55,8 +55,7 @@ def attach(
         created = cyclonedx.created(registry.config(repository, manifest).facts)
         home = image_set.matrix.source or ""
         document = cyclonedx.document(packages.read(listing[PACKAGES]), image, created, home=home)
-        kind = sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
-        sboms[manifest.digest] = registry.attach(repository, manifest.descriptor, *kind)
+        sboms[manifest.digest] = attached.attach(registry, repository, manifest.descriptor, document)
     return sboms
 
 

@@ -6,17 +6,24 @@ image pass is read by `sbom.Shelf`.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 from rosml.base import units
 from rosml.base.errors import RosmlError
 from rosml.images.scan.sbom import FORMAT, LARGEST, MEDIA_TYPE, Sbom
+from rosml.registry import documents
 from rosml.registry.client import Registry
-from rosml.registry.oci import Manifest
+from rosml.registry.documents import Descriptor
+from rosml.registry.oci import digest_of
 
 MOST = 32
 """The most artifacts that are read. An image has one of each publisher and format; further ones are somebody else's."""
+
+BLOB = "io.rosml.sbom.blob"
+"""The annotation with the digest and the size of the SBOM itself. So it is read without its artifact, since lists of artifacts have annotations."""
 
 REMEDY = "build it again with this rosml, and without --no-sbom; of a copy, copy what is attached to it as well: regctl image copy --referrers"
 
@@ -46,6 +53,12 @@ class Attached:
         raise RosmlError(f"{image} has no SBOM of rosml{f' ({others})' if others else ''}", REMEDY, exit_code=2)
 
 
+def attach(registry: Registry, repository: str, subject: Mapping[str, Any], content: bytes) -> str:
+    """Attaches our SBOM to the manifest of a descriptor. Returns the digest of its artifact."""
+    annotations = {**FORMAT, BLOB: f"{digest_of(content)} {len(content)}"}
+    return registry.attach(repository, subject, MEDIA_TYPE, content, MEDIA_TYPE, annotations)
+
+
 def read(
     registry: Registry,
     repository: str,
@@ -57,43 +70,48 @@ def read(
 
     The smallest are read first, so that a large one of somebody else does not take the place of ours.
     """
-    listed = sorted({entry["digest"] for entry in registry.referrers(repository, digest, MEDIA_TYPE)})
+    entries = {entry["digest"]: entry for entry in registry.referrers(repository, digest, MEDIA_TYPE)}
+    listed = sorted(entries)
     ignored = [Ignored(name, f"only {MOST} are read") for name in listed[MOST:]]
-    candidates = list[tuple[int, str, Manifest]]()
+    candidates = list[tuple[int, str, Descriptor]]()
     for name in listed[:MOST]:
-        artifact = registry.manifest(repository, name)
-        why = _refused(artifact, digest, largest)
-        if artifact and not why:
-            candidates.append((artifact.layers[0].size, name, artifact))
-        else:
+        blob = _blob(registry, repository, digest, Descriptor.model_validate(entries[name]))
+        if isinstance(blob, str):
+            ignored.append(Ignored(name, blob))
+        elif blob.size > largest:
+            why = f"it has {units.size(blob.size)}, and at most {units.size(largest)} are read"
             ignored.append(Ignored(name, why))
+        else:
+            candidates.append((blob.size, name, blob))
     newest, older, total = dict[str, Sbom](), dict[str, Sbom](), 0
-    for size, name, artifact in sorted(candidates, key=lambda it: it[:2]):
+    for size, name, blob in sorted(candidates, key=lambda it: it[:2]):
         total += size
         if total > largest:
             why = f"at most {units.size(largest)} of SBOMs are read of an image, the smallest first"
             ignored.append(Ignored(name, why))
             continue
-        sbom = Sbom(registry.part(repository, artifact.layers[0], largest))
+        sbom = Sbom(registry.part(repository, blob, largest))
         if why := _of_another(sbom, digest, is_of):
             ignored.append(Ignored(name, why))
         else:
-            (newest if artifact.annotations.items() >= FORMAT.items() else older)[name] = sbom
+            (newest if blob.annotations.items() >= FORMAT.items() else older)[name] = sbom
     ours = dict(sorted((newest or older).items()))
     return Attached(tuple(ours.values()), tuple(ignored), tuple(ours))
 
 
-def _refused(artifact: Manifest | None, digest: str, largest: int) -> str:
-    """Why an artifact is none of ours; empty if it may be one."""
+def _blob(registry: Registry, repository: str, digest: str, entry: Descriptor) -> Descriptor | str:
+    """The descriptor of an SBOM, with the annotations of its artifact; or why the artifact is none of ours."""
+    size = re.fullmatch(rf"({documents.DIGEST}) ([0-9]{{1,15}})", entry.annotations.get(BLOB, ""))
+    if size and entry.annotations.keys() >= FORMAT.keys():
+        return Descriptor(mediaType=MEDIA_TYPE, digest=size[1], size=int(size[2]), annotations=entry.annotations)
+    artifact = registry.manifest(repository, entry.digest)
     if artifact is None:
         return "it is gone"
     if not artifact.annotations.keys() >= FORMAT.keys():
         return "somebody else attached it"
     if artifact.subject != digest or len(artifact.layers) != 1:
         return "it is not attached as rosml attaches SBOMs"
-    if artifact.layers[0].size > largest:
-        return f"it has {units.size(artifact.layers[0].size)}, and at most {units.size(largest)} are read"
-    return ""
+    return artifact.layers[0].model_copy(update={"annotations": artifact.annotations})
 
 
 def _of_another(sbom: Sbom, digest: str, is_of: Callable[[Sbom, str], bool]) -> str:

@@ -83,28 +83,36 @@ class Sbom:
     def seems_of(self, digest: str) -> bool:
         """As `is_of`, several times faster: its components may be anything. Raises ScannerFailed if it is no SBOM at all."""
         try:
-            return _is_about(_Head.model_validate(self._content).metadata, digest)
+            names = _Head.model_fields.keys() & self._texts.keys()
+            head = {name: untrusted.json_quick(self._texts[name]) for name in names}
+            return _is_about(_Head.model_validate(head).metadata, digest)
         except ValueError as error:
             raise _none(error) from None
 
     @cached_property
-    def _content(self) -> Any:
+    def _texts(self) -> dict[str, bytes]:
+        """Its fields, not parsed."""
         try:
-            return untrusted.json_quick(self.content, LARGEST)
+            return untrusted.json_fields(self.content, LARGEST)
         except ValueError as error:
             raise _none(error) from None
 
     @property
+    def component_texts(self) -> list[bytes]:
+        """What it says of each component, in JSON, whatever it is. Raises ScannerFailed if it is no SBOM."""
+        try:
+            return untrusted.json_items(self._texts.get("components", b"[]"))
+        except ValueError as error:
+            raise _none(error) from None
+
+    @cached_property
     def raw(self) -> dict[str, Any]:
         """All that it says, whatever it is; empty if it is no JSON object. Raises ScannerFailed if it is no JSON."""
-        return self._content if isinstance(self._content, dict) else {}
-
-    @property
-    def raw_components(self) -> list[dict[str, Any]]:
-        """All that it says of its components, whatever it is. Raises ScannerFailed as `raw`."""
-        components = self.raw.get("components", [])
-        items = components if isinstance(components, list) else []
-        return [item for item in items if isinstance(item, dict)]
+        try:
+            value = untrusted.json_quick(self.content, LARGEST)
+        except ValueError as error:
+            raise _none(error) from None
+        return value if isinstance(value, dict) else {}
 
     @cached_property
     def components(self) -> list[dict[str, Any]]:
@@ -164,6 +172,15 @@ class Sbom:
                 f"{name}: its SBOM names {'no operating system' if not self.system else 'no Debian package'}",
                 "check whether the image has /usr/lib/os-release and /var/lib/dpkg/status",
             )
+
+
+def component_of(text: bytes) -> dict[str, Any]:
+    """One of `Sbom.component_texts`, whatever it is; empty if it is no JSON object. Raises ScannerFailed if it is no JSON."""
+    try:
+        value = untrusted.json_quick(text)
+    except ValueError as error:
+        raise _none(error) from None
+    return value if isinstance(value, dict) else {}
 
 
 def _is_about(about: About | None, digest: str) -> bool:

@@ -11,7 +11,7 @@ from rosml.images.image_set.labels import TITLE
 from rosml.images.join import facts, layers
 from rosml.images.join.layers import Joined, Source
 from rosml.images.scan import attached, cyclonedx
-from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE, Sbom
+from rosml.images.scan.sbom import Sbom
 from rosml.registry import documents, oci, references
 from rosml.registry.client import Registry
 from rosml.registry.references import Reference
@@ -73,7 +73,7 @@ def attach(
             return
         content = _content(f"{place.host}/{place.repository}@{image.digest}", image.config, read)
         subject = oci.descriptor(oci.IMAGE, image.manifest)
-        registries(place.host).attach(place.repository, subject, MEDIA_TYPE, content, MEDIA_TYPE, FORMAT)
+        attached.attach(registries(place.host), place.repository, subject, content)
     except RosmlError as error:
         say(f"{place} lacks its SBOM: {error.message}")
 

@@ -234,13 +234,16 @@ def test_vex_says_that_it_does_no_harm(place: Place) -> None:
 def test_images_of_which_nobody_knows(place: Place, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each stands for itself, and is not taken for a good one."""
     base = based(place, GOOD)
-    names = ("none", "others", "another", "large", "broken", "good")
+    names = ("none", "others", "another", "large", "broken", "surrogate", "good")
     apps = {name: put(place, base, name) for name in names}
     describe(place, "me/others", apps["others"], [GOOD], annotations={})
     describe(place, "me/another", apps["another"], [GOOD], content={"metadata": {"component": {"name": "x@sha256:1"}}})
     monkeypatch.setattr("rosml.containerize.affected.images.LARGEST", 20_000)
     describe(place, "me/large", apps["large"], [f"package{number}@1" for number in range(1000)])
     describe(place, "me/broken", apps["broken"], [], data=b"[")
+    digest = place.image("me/surrogate", "latest").digest
+    text = f'{{"bomFormat": "CycloneDX", "metadata": {{"component": {{"name": "x@{digest}"}}}}, "components": [{{"name": "\\ud800"}}]}}'
+    describe(place, "me/surrogate", apps["surrogate"], [], data=text.encode())
     describe(place, "me/good", apps["good"], [GOOD])
     gone = f"{place.server.address}/me/gone:latest"
     answers = ask(place, CVE, *apps.values(), gone)
@@ -249,6 +252,7 @@ def test_images_of_which_nobody_knows(place: Place, monkeypatch: pytest.MonkeyPa
     }
     reasons = {name: it.notes[0] for name, it in answers.items() if it.notes}
     assert "somebody else attached it" in reasons["others"] and "of another image" in reasons["another"]
+    assert "is none: " in reasons["broken"] and "is none: " in reasons["surrogate"]
     assert "at most" in reasons["large"] and reasons["gone"] == "it is gone"
 
 

@@ -100,6 +100,22 @@ def test_only_some_of_many_are_read() -> None:
     assert image.registry.reads - before == 2 + attached.MOST
 
 
+def test_a_list_of_artifacts_is_enough_to_read_ours() -> None:
+    image = Image()
+    manifest = image.registry.manifest(PATH, image.digest)
+    assert manifest
+    name = attached.attach(image.registry, PATH, manifest.descriptor, image.document("ours"))
+    before = image.registry.reads
+    assert image.names() == [["ours"]]
+    assert image.registry.reads - before == 2 + 1, "the list, and the SBOM"
+    for annotation in ("", f"{image.digest} 3 more", f"{image.digest} {'9' * 16}"):
+        damaged = {**FORMAT, attached.BLOB: annotation}
+        artifact = image.registry.manifests[PATH][name]
+        content = {**artifact.content, "annotations": damaged}
+        image.registry.manifests[PATH][name] = replace(artifact, content=content)
+        assert image.names() == [["ours"]], "it is read by its artifact"
+
+
 def test_an_image_that_is_gone_has_none() -> None:
     image = Image()
     del image.registry.manifests[PATH][image.digest]

@@ -15,8 +15,8 @@ from rosml.images.publish.items import NO_SBOM, UNDESCRIBED, Item, Key
 from rosml.images.publish.new_entry import new_entry
 from rosml.images.publish.run import Run
 from rosml.images.records.store import Entry
-from rosml.images.scan import cyclonedx
-from rosml.images.scan.sbom import FORMAT, MEDIA_TYPE, Sbom, Shelf
+from rosml.images.scan import attached, cyclonedx
+from rosml.images.scan.sbom import Sbom, Shelf
 
 
 def join(run: Run) -> None:
@@ -63,5 +63,4 @@ def _attach_sbom(run: Run, read: Read, item: Item, digest: str) -> str:
     reference = f"{place.client.host}/{repository}@{digest}"
     created = cyclonedx.created(place.client.config(repository, manifest).facts)
     content = cyclonedx.joined(reference, created, sboms, run.state.image_set.matrix.source or "")
-    kind = MEDIA_TYPE, content, MEDIA_TYPE, FORMAT
-    return place.client.attach(repository, manifest.descriptor, *kind)
+    return attached.attach(place.client, repository, manifest.descriptor, content)
