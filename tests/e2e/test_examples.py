@@ -162,7 +162,7 @@ ONNX = ("common-cpu-py311", "grpc-cpu-py311", "onnxruntime-cc-cpu", "onnxruntime
 @pytest.mark.parametrize(
     ("target", "addon", "parts"),
     [
-        ("ros1-bookworm-core", "onnx-cpu", ONNX),
+        pytest.param("ros1-bookworm-core", "onnx-cpu", ONNX, marks=pytest.mark.full(proof="examples")),
         pytest.param(
             "ros1-bookworm-core-torch-cu128",
             "onnx",

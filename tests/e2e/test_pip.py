@@ -7,7 +7,6 @@ import pytest
 
 from tests.e2e.images import BuildOn
 
-FEW = "opencv-python tf-keras"
 ANY = "onnxruntime opencv-python pandas scikit-learn open3d"
 OF_TORCH = "torchvision torchaudio ultralytics transformers timm lightning accelerate diffusers torchmetrics kornia"
 OF_TENSORFLOW = "tensorboard tf-keras tensorflow-hub tf2onnx"
@@ -16,18 +15,13 @@ CV_BRIDGE = "install-packages python3-cv-bridge"
 """What a component below perception lacks; libGL, which OpenCV's wheels need, comes with it."""
 
 
+@pytest.mark.full(proof="everyday")
 @pytest.mark.parametrize(
     ("target", "packages"),
     [
-        ("ros1-bookworm-core-tensorflow-cpu", FEW),
-        *(
-            pytest.param(target, packages, marks=pytest.mark.full(proof="everyday"))
-            for target, packages in (
-                ("ros1-bookworm-core-tensorflow-cpu", f"{ANY} {OF_TENSORFLOW}"),
-                ("ros1-bookworm-core-torch-cu128", f"{ANY} {OF_TORCH}"),
-                ("ros1-bookworm-perception-ml-cu128", f"{ANY} {OF_TORCH} {OF_TENSORFLOW}"),
-            )
-        ),
+        ("ros1-bookworm-core-tensorflow-cpu", f"{ANY} {OF_TENSORFLOW}"),
+        ("ros1-bookworm-core-torch-cu128", f"{ANY} {OF_TORCH}"),
+        ("ros1-bookworm-perception-ml-cu128", f"{ANY} {OF_TORCH} {OF_TENSORFLOW}"),
     ],
 )
 def test_everyday_packages_leave_what_is_installed_as_it_is(build_on: BuildOn, target: str, packages: str) -> None:
