@@ -49,6 +49,15 @@ def write_all(contents: Mapping[Path, str], within: Path | None = None) -> list[
     return written
 
 
+def require_writable(folder: Path) -> None:
+    """Raises RosmlError if a folder, or the one that it would be made in, takes no files. Call it before long work whose result goes there."""
+    place = next(it for it in (folder.absolute(), *folder.absolute().parents) if it.exists())
+    if not place.is_dir():
+        raise RosmlError(f"{shown(folder)}: cannot be written: {shown(place)} is no folder", WRITABLE)
+    if not os.access(place, os.W_OK | os.X_OK):
+        raise RosmlError(f"{shown(folder)}: cannot be written: {shown(place)} is read-only", WRITABLE)
+
+
 @contextlib.contextmanager
 def whole(file: Path) -> Iterator[BinaryIO]:
     """A large file to write. It appears under its name only if all went well, and is on the disk then. Links and devices are as in `write`."""

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from rosml import ROOT
-from rosml.base import terminal
+from rosml.base import files, terminal
 from rosml.cli import options
 from rosml.cli.checkout import Group
 from rosml.cli.command import say
@@ -76,11 +76,11 @@ def main() -> None:
 def add(**options: Any) -> None:
     """Resolves the environment NAME on images, and writes its lock for each Python and architecture.
 
-    A REQUIREMENT is a package as pip writes it, a requirements.txt or a pyproject.toml. Without any, those of the earlier call
+    A REQUIREMENT is a package as pip writes it, a requirements.txt, a pyproject.toml or a uv.lock. Without any, those of the earlier call
     count, and --without leaves out more. Images of earlier calls stay, one for each Python. Only wheels are installed.
     """
     from rosml.images.environments import add as adding
-    from rosml.images.environments import declaration
+    from rosml.images.environments import declaration, uv_lock
     from rosml.images.image_set import load
     from rosml.images.join import short_names
 
@@ -91,7 +91,9 @@ def add(**options: Any) -> None:
     wish = declaration.changed(earlier, words, call.without)
     image_set = load.load(call.matrix, ROOT)
     wish = adding.with_images(wish, call.images, image_set)
-    request = adding.Request(call.name, wish, place, call.upgrade)
+    preferences = "".join(uv_lock.preferences(Path(word)) for word in words if word.endswith(uv_lock.SUFFIX))
+    request = adding.Request(call.name, wish, place, call.upgrade, preferences)
+    files.require_writable(place)
     locks = [it for target in wish.images for it in adding.resolved(request, image_set, target, say)]
     adding.write(place, (it.lock for it in locks), wish if wish != earlier else None)
     if earlier and wish.requirements != earlier.requirements:

@@ -31,14 +31,18 @@ class Sized(NamedTuple):
 
 @dataclass(frozen=True)
 class Request:
-    """An environment that gets new locks. `folder` has those of before, whose versions stay if they fit and `upgrade` is not set."""
+    """An environment that gets new locks. `folder` has those of before, whose versions stay if they fit and `upgrade` is not set.
+    `preferences` has versions of a uv.lock, which stay alike."""
 
     name: str
     declaration: Declaration
     folder: Path
     upgrade: bool = False
+    preferences: str = ""
 
     def previous(self, python: str, architecture: str) -> str:
+        if self.preferences:
+            return self.preferences
         file = locks.file_of(self.folder, python, architecture)
         text = "" if self.upgrade or not file.is_file() else files.text(file)
         return text if locks.parse(text) else ""  # uv would follow what somebody wrote into it
@@ -72,8 +76,21 @@ def resolved(
 
 
 def with_images(declaration: Declaration, targets: Iterable[str], image_set: ImageSet) -> Declaration:
-    """A declaration for images beside those that it has. One takes the place of an earlier one with the same Python."""
-    by_python = {_image(image_set, target).python: target for target in (*declaration.images, *targets)}
+    """A declaration for images beside those that it has. One takes the place of an earlier one with the same Python.
+
+    Raises:
+        RosmlError: there is no such image, or no image at all; two of `targets` have the same Python.
+    """
+    new = dict[str, str]()
+    for target in dict.fromkeys(targets):
+        python = _image(image_set, target).python
+        if python in new:
+            text = (
+                f"{new[python]} and {target} both have Python {python}, and an environment has one lock for each Python"
+            )
+            raise RosmlError(text, "name one of them; the environment goes onto all images with what it takes", 2)
+        new[python] = target
+    by_python = {_image(image_set, target).python: target for target in declaration.images} | new
     if not by_python:
         raise RosmlError("no image is named", "name the one that it stands on: --image jazzy-base", exit_code=2)
     return declaration.model_copy(update={"images": sorted(by_python.values())})
@@ -139,4 +156,5 @@ def write(folder: Path, every: Iterable[Lock], declaration: Declaration | None =
         place.mkdir(parents=True, exist_ok=True)
     files.write_all({**texts, **({folder / FILE: content(declaration)} if declaration else {})})
     for file in {*folder.glob(locks.FILES)} - texts.keys():
-        file.unlink()
+        if locks.parse(files.text(file)):
+            file.unlink()

@@ -15,6 +15,7 @@ from rosml.base import files, untrusted
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of
 from rosml.base.shapes import Shape
+from rosml.images.environments import uv_lock
 
 FILE = "environment.toml"
 
@@ -80,7 +81,7 @@ def _lines(facts: dict[str, list[str]]) -> Iterator[str]:
 
 
 def changed(earlier: Declaration | None, words: Sequence[str], without: Iterable[str]) -> Declaration:
-    """What a command line asks for: requirements, and files that have some (requirements.txt, pyproject.toml), for the images of before.
+    """What a command line asks for: requirements, and files that have some (requirements.txt, pyproject.toml, uv.lock), for the images of before.
 
     Without words, it is what was before, without more packages.
     """
@@ -100,10 +101,12 @@ def changed(earlier: Declaration | None, words: Sequence[str], without: Iterable
 
 
 def _of_word(word: str) -> Iterable[str]:
-    if not word.endswith((".toml", ".txt")):
+    if not word.endswith((".toml", ".txt", uv_lock.SUFFIX)):
         return (word,)
     if not (file := Path(word)).is_file():  # a pipe would never end
         raise RosmlError(f"there is no file {files.shown(file)}", "write its path, or a requirement", exit_code=2)
+    if word.endswith(uv_lock.SUFFIX):
+        return uv_lock.requirements(file)
     return _of_project(file) if word.endswith(".toml") else _of_list(file)
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from rosml import MATRIX
+from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.images.environments import add, build, lock
 from rosml.images.environments.declaration import FILE, Declaration
@@ -144,6 +145,7 @@ def test_a_resolution_starts_from_a_whole_lock_alone(tmp_path: Path) -> None:
     }.items():
         file.write_text(text)
         assert request.previous("3.11", "amd64") == previous
+    assert replace(request, preferences="numpy==2.2.6\n").previous("3.11", "amd64") == "numpy==2.2.6\n"
 
 
 def test_locks_that_cannot_be_written_leave_the_declaration_as_it_was(tmp_path: Path) -> None:
@@ -153,6 +155,13 @@ def test_locks_that_cannot_be_written_leave_the_declaration_as_it_was(tmp_path: 
     with pytest.raises(RosmlError, match=r"arm64\.txt: cannot be"):
         add.write(tmp_path, every, WISH)
     assert not (tmp_path / FILE).exists()
+
+
+def test_a_folder_that_takes_no_files(tmp_path: Path) -> None:
+    files.require_writable(tmp_path / "environments/lerobot")
+    (tmp_path / "environments").write_text("")
+    with pytest.raises(RosmlError, match=r"lerobot: cannot be written: .*environments is no folder"):
+        files.require_writable(tmp_path / "environments/lerobot")
 
 
 def test_locks_of_two_environments(tmp_path: Path) -> None:
@@ -165,8 +174,18 @@ def test_locks_of_two_environments(tmp_path: Path) -> None:
 def test_a_new_lock_removes_those_of_other_images(tmp_path: Path) -> None:
     first = lock.resolved("lerobot", WISH, IMAGE, Table(VERSIONS, ["torch==2.10.0"]))
     add.write(tmp_path, [first, replace(first, architecture="arm64"), replace(first, python="3.13")])
+    (notes := tmp_path / "3.11/notes.txt").write_text("somebody's")
     add.write(tmp_path, [first])
-    assert [*tmp_path.glob("*/*")] == [lock.file_of(tmp_path, "3.11", "amd64")]
+    assert {*tmp_path.glob("*/*")} == {lock.file_of(tmp_path, "3.11", "amd64"), notes}
+
+
+def test_one_image_for_each_python() -> None:
+    image_set, wish = load.load(MATRIX), WISH.model_copy(update={"images": ["ros1-bookworm-core"]})
+    two = ("ros1-bookworm-core-torch-cu130", "ros1-bookworm-core-torch-cu128")
+    with pytest.raises(RosmlError, match=r"cu130 and ros1-bookworm-core-torch-cu128 both have Python 3\.11") as caught:
+        add.with_images(wish, two, image_set)
+    assert caught.value.exit_code == 2
+    assert add.with_images(wish, two[:1] * 2, image_set).images == [two[0]], "a later call replaces an earlier one"
 
 
 def test_it_names_images_that_fit_and_can_be_built(tmp_path: Path) -> None:
