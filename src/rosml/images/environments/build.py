@@ -16,10 +16,11 @@ from rosml.images.bake.targets import ENVIRONMENT
 from rosml.images.builds import base_images, contents
 from rosml.images.builds.push import Push, push
 from rosml.images.environments import lock as locks
-from rosml.images.environments.declaration import FILE, FOLDER
+from rosml.images.environments.declaration import FILE
 from rosml.images.environments.lock import Lock
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import ENVIRONMENTS, ImageSet
+from rosml.images.join.environments import FOLDER
 from rosml.images.matrix import names
 from rosml.machine import buildx
 from rosml.machine.services import Services
@@ -57,9 +58,8 @@ def read(folder: Path, name: str, architectures: Iterable[str], python: str = ""
         text = f"{folder} has no lock{f' for Python {python}' if python else ''}"
         words = "" if (folder / FILE).exists() else " REQUIREMENT..."
         raise RosmlError(text, f"make it: rosml env add {name}{words} --image IMAGE", exit_code=2)
-    if any(len({lock.glibc for lock in same}) > 1 for same in every) or {it.name for same in every for it in same} != {
-        name
-    }:
+    differ = any(len({lock.glibc for lock in same}) > 1 for same in every)
+    if differ or any(lock.name != name for same in every for lock in same):
         text = f"the locks in {folder} are not of one environment {name}"
         raise RosmlError(text, f"make them again: rosml env add {name}", exit_code=2)
     return every

@@ -19,9 +19,6 @@ from rosml.images.environments import uv_lock
 
 FILE = "environment.toml"
 
-FOLDER = "/opt/env"
-"""Where images have their environments, each in a folder with its name."""
-
 _PACKAGE = r"[A-Za-z0-9]([A-Za-z0-9._-]*[A-Za-z0-9])?"
 
 REQUIREMENT = rf"{_PACKAGE}( *\[[A-Za-z0-9._, -]+\])?( *[<>=!~(;][A-Za-z0-9 <>=!~().,;*+_'\"-]*)?"

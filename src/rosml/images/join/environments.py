@@ -102,11 +102,11 @@ def misfit(environment: Mapping[str, str], image: Mapping[str, str], image_name:
     return ""
 
 
-_FOLDER = "opt/env"
-"""Where environments have their folders, without the first slash."""
+FOLDER = "/opt/env"
+"""Where images have their environments, each in a folder with its name."""
 
 _MODULE = re.compile(
-    rf"{_FOLDER}/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.pyc?|\.[^/]+\.so)"
+    rf"{FOLDER[1:]}/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.pyc?|\.[^/]+\.so)"
 )
 _ROS_PACKAGE = re.compile(r"(?:usr|opt/ros/[^/]+)/share/([^/]+)/package\.xml")
 
@@ -114,7 +114,7 @@ _ROS_PACKAGE = re.compile(r"(?:usr|opt/ros/[^/]+)/share/([^/]+)/package\.xml")
 def require_apart(environment: Source, files: Collection[str], others: Mapping[str, Iterable[str]]) -> None:
     """Checks that an environment has files in its folder alone, and that none hides a module of ROS. `others`: the files of the images
     that it is joined to, by their names."""
-    folder = f"{_FOLDER}/{environment.labels[labels.ENVIRONMENT]}/"
+    folder = f"{FOLDER[1:]}/{environment.labels[labels.ENVIRONMENT]}/"
     if outside := min((path for path in files if not path.startswith(folder)), default=""):
         text = f"{environment.name} has /{outside}, and an environment has files below /{folder} alone"
         raise RosmlError(text, "build it again, or take another one", exit_code=2)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -82,37 +83,27 @@ class Sbom:
 
     def seems_of(self, digest: str) -> bool:
         """As `is_of`, several times faster: its components may be anything. Raises ScannerFailed if it is no SBOM at all."""
-        try:
+        with _well_formed():
             names = _Head.model_fields.keys() & self._texts.keys()
             head = {name: untrusted.json_quick(self._texts[name]) for name in names}
             return _is_about(_Head.model_validate(head).metadata, digest)
-        except ValueError as error:
-            raise _none(error) from None
 
     @cached_property
     def _texts(self) -> dict[str, bytes]:
         """Its fields, not parsed."""
-        try:
+        with _well_formed():
             return untrusted.json_fields(self.content, LARGEST)
-        except ValueError as error:
-            raise _none(error) from None
 
     @property
     def component_texts(self) -> list[bytes]:
         """What it says of each component, in JSON, whatever it is. Raises ScannerFailed if it is no SBOM."""
-        try:
+        with _well_formed():
             return untrusted.json_items(self._texts.get("components", b"[]"))
-        except ValueError as error:
-            raise _none(error) from None
 
     @cached_property
     def raw(self) -> dict[str, Any]:
         """All that it says, whatever it is; empty if it is no JSON object. Raises ScannerFailed if it is no JSON."""
-        try:
-            value = untrusted.json_quick(self.content, LARGEST)
-        except ValueError as error:
-            raise _none(error) from None
-        return value if isinstance(value, dict) else {}
+        return _object(self.content, LARGEST)
 
     @cached_property
     def components(self) -> list[dict[str, Any]]:
@@ -126,10 +117,8 @@ class Sbom:
 
     @cached_property
     def document(self) -> Document:
-        try:
+        with _well_formed():
             return Document.model_validate(self._value)
-        except ValueError as error:
-            raise _none(error) from None
 
     @property
     def packages(self) -> list[Component]:
@@ -176,10 +165,12 @@ class Sbom:
 
 def component_of(text: bytes) -> dict[str, Any]:
     """One of `Sbom.component_texts`, whatever it is; empty if it is no JSON object. Raises ScannerFailed if it is no JSON."""
-    try:
-        value = untrusted.json_quick(text)
-    except ValueError as error:
-        raise _none(error) from None
+    return _object(text, untrusted.SIZE)
+
+
+def _object(text: bytes, limit: int) -> dict[str, Any]:
+    with _well_formed():
+        value = untrusted.json_quick(text, limit)
     return value if isinstance(value, dict) else {}
 
 
@@ -187,9 +178,15 @@ def _is_about(about: About | None, digest: str) -> bool:
     return bool(about and about.component and about.component.name.endswith(f"@{digest}"))
 
 
-def _none(error: ValueError) -> ScannerFailed:
-    reason = first_of(error) if isinstance(error, ValidationError) else error
-    return ScannerFailed(f"what is kept as an SBOM is none: {reason}", "delete that artifact in the registry")
+@contextmanager
+def _well_formed() -> Iterator[None]:
+    """Turns a ValueError about a text that should be an SBOM into ScannerFailed."""
+    try:
+        yield
+    except ValueError as error:
+        reason = first_of(error) if isinstance(error, ValidationError) else error
+        text = f"what is kept as an SBOM is none: {reason}"
+        raise ScannerFailed(text, "delete that artifact in the registry") from None
 
 
 class Shelf:
