@@ -286,6 +286,13 @@ target "_files" {
   target   = "part-files"
 }
 
+target "_environment" {
+  inherits  = ["_every"]
+  target    = "environment-files"
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  args      = { ENVIRONMENT = "lerobot" }
+}
+
 target "_files-cuda-cu128" {
   inherits  = ["_files"]
   platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
@@ -5030,6 +5037,60 @@ target "part-onnxruntime-cpu314-py314" {
   }
   tags = [
     "${REGISTRY}/part:onnxruntime-cpu314-py314"
+  ]
+}
+
+target "_files-env-lerobot-py312" {
+  inherits = ["_environment"]
+  contexts = {
+    os                = OS_UBUNTU_24_04
+    environment-locks = "environments/lerobot/3.12"
+  }
+  args = {
+    PYTHON = "3.12"
+    GLIBC  = "39"
+  }
+}
+
+target "part-env-lerobot-py312" {
+  inherits = ["_files-env-lerobot-py312"]
+  target   = "environment"
+  labels = {
+    "org.opencontainers.image.title"       = "env:lerobot-py312"
+    "org.opencontainers.image.description" = "environment lerobot below /opt/env, for Python 3.12"
+    "io.rosml.environment"                 = "lerobot"
+    "io.rosml.python"                      = "3.12"
+    "io.rosml.takes"                       = "torch=2.10.0"
+  }
+  tags = [
+    "${REGISTRY}/env:lerobot-py312"
+  ]
+}
+
+target "_files-env-lerobot-py311" {
+  inherits = ["_environment"]
+  contexts = {
+    os                = OS_BOOKWORM
+    environment-locks = "environments/lerobot/3.11"
+  }
+  args = {
+    PYTHON = "3.11"
+    GLIBC  = "36"
+  }
+}
+
+target "part-env-lerobot-py311" {
+  inherits = ["_files-env-lerobot-py311"]
+  target   = "environment"
+  labels = {
+    "org.opencontainers.image.title"       = "env:lerobot-py311"
+    "org.opencontainers.image.description" = "environment lerobot below /opt/env, for Python 3.11"
+    "io.rosml.environment"                 = "lerobot"
+    "io.rosml.python"                      = "3.11"
+    "io.rosml.takes"                       = "torch=2.10.0"
+  }
+  tags = [
+    "${REGISTRY}/env:lerobot-py311"
   ]
 }
 
@@ -11620,6 +11681,114 @@ target "_none-tensorrt-rtx-cu132-py311" {
   EOT
 }
 
+target "_torch-cu128-py312-env-lerobot" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros              = dependency("jazzy-base", "ros", "jazzy-base")
+    part-cuda        = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common      = dependency("common-cu128-py312", "part", "_files-common-cu128-py312")
+    part-torch       = dependency("torch-cu128-py312", "part", "_files-torch-cu128-py312")
+    part-env-lerobot = dependency("env:lerobot-py312", "env", "_files-env-lerobot-py312")
+  }
+  args = {
+    CUDA_ROOT        = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT      = can(digests["common-cu128-py312"]) ? "/" : "/out/"
+    TORCH_ROOT       = can(digests["torch-cu128-py312"]) ? "/" : "/out/"
+    ENV_LEROBOT_ROOT = can(digests["env:lerobot-py312"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "org.opencontainers.image.title"       = "jazzy-base-torch-cu128-env-lerobot"
+    "org.opencontainers.image.description" = "ROS 2 base (jazzy), PyTorch 2.10.0, CUDA 12.8.90, environment lerobot"
+    "org.opencontainers.image.version"     = "jazzy-base-cu128-torch2.10.0-env-lerobot"
+    "io.rosml.component"                   = "base"
+    "io.rosml.runtime"                     = "base-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common torch"
+    "io.rosml.environments"                = "lerobot"
+  }
+  tags              = [
+    "${REGISTRY}/ros-torch:jazzy-base-cu128-env-lerobot",
+    "${REGISTRY}/ros-torch:jazzy-base-cu128-torch2.10.0-env-lerobot"
+  ]
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ENV_LEROBOT_ROOT
+    COPY --link --from=part-env-lerobot $ENV_LEROBOT_ROOT /
+    ENV TORCH_VERSION=2.10.0
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
+target "_torch-cu128-py311-env-lerobot" {
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts = {
+    ros              = dependency("ros1-bookworm-core", "ros", "ros1-bookworm-core")
+    part-cuda        = dependency("cuda-cu128", "part", "_files-cuda-cu128")
+    part-common      = dependency("common-cu128-py311", "part", "_files-common-cu128-py311")
+    part-torch       = dependency("torch-cu128-py311", "part", "_files-torch-cu128-py311")
+    part-env-lerobot = dependency("env:lerobot-py311", "env", "_files-env-lerobot-py311")
+  }
+  args = {
+    CUDA_ROOT        = can(digests["cuda-cu128"]) ? "/" : "/out/"
+    COMMON_ROOT      = can(digests["common-cu128-py311"]) ? "/" : "/out/"
+    TORCH_ROOT       = can(digests["torch-cu128-py311"]) ? "/" : "/out/"
+    ENV_LEROBOT_ROOT = can(digests["env:lerobot-py311"]) ? "/" : "/out/"
+  }
+  labels = {
+    "org.opencontainers.image.licenses"    = "Apache-2.0 AND LicenseRef-NVIDIA-Proprietary AND BSD-3-Clause AND MIT AND MIT-CMU AND PSF-2.0 AND Apache-2.0 WITH LLVM-exception AND BSD-2-Clause AND BSL-1.0"
+    "io.rosml.framework"                   = "torch"
+    "io.rosml.torch"                       = "2.10.0"
+    "io.rosml.cuda"                        = "12.8.90"
+    "io.rosml.cudnn"                       = "9.10.2.21"
+    "io.rosml.gpu.driver"                  = "525"
+    "io.rosml.gpu.torch.amd64"             = "sm_70 sm_75 sm_80 sm_86 sm_90 sm_100 sm_120"
+    "org.opencontainers.image.title"       = "ros1-bookworm-core-torch-cu128-env-lerobot"
+    "org.opencontainers.image.description" = "ROS 1 core (ros1-bookworm), PyTorch 2.10.0, CUDA 12.8.90, environment lerobot"
+    "org.opencontainers.image.version"     = "ros1-bookworm-core-cu128-torch2.10.0-env-lerobot"
+    "io.rosml.component"                   = "core"
+    "io.rosml.runtime"                     = "core-run"
+    "io.rosml.stack"                       = "cu128"
+    "io.rosml.parts"                       = "cuda common torch"
+    "io.rosml.environments"                = "lerobot"
+  }
+  tags              = [
+    "${REGISTRY}/ros-torch:ros1-bookworm-core-cu128-env-lerobot",
+    "${REGISTRY}/ros-torch:ros1-bookworm-core-cu128-torch2.10.0-env-lerobot",
+    "${REGISTRY}/ros-torch:bookworm-core-cu128-env-lerobot",
+    "${REGISTRY}/ros-torch:bookworm-core-cu128-torch2.10.0-env-lerobot"
+  ]
+  dockerfile-inline = <<-EOT
+    FROM ros
+    ARG CUDA_ROOT
+    COPY --link --from=part-cuda $CUDA_ROOT /
+    ARG COMMON_ROOT
+    COPY --link --from=part-common $COMMON_ROOT /
+    ARG TORCH_ROOT
+    COPY --link --from=part-torch $TORCH_ROOT /
+    ARG ENV_LEROBOT_ROOT
+    COPY --link --from=part-env-lerobot $ENV_LEROBOT_ROOT /
+    ENV TORCH_VERSION=2.10.0
+    ENV CUDA_VERSION=12.8.90
+    ENV CUDNN_VERSION=9.10.2.21
+    ENV NVIDIA_REQUIRE_CUDA=cuda>=12.0
+  EOT
+}
+
 # ---- noetic ---------------------------------------------------------------------------------------------------------
 
 target "_noetic" {
@@ -17855,6 +18024,10 @@ target "jazzy-core-tensorrt-rtx-cu132" {
   inherits = ["_jazzy", "_none-tensorrt-rtx-cu132-py312"]
 }
 
+target "jazzy-base-torch-cu128-env-lerobot" {
+  inherits = ["_jazzy", "_torch-cu128-py312-env-lerobot"]
+}
+
 # ---- kilted ---------------------------------------------------------------------------------------------------------
 
 target "_kilted" {
@@ -23592,6 +23765,10 @@ target "ros1-bookworm-core-tensorrt-rtx-cu132" {
   inherits = ["_ros1-bookworm", "_none-tensorrt-rtx-cu132-py311"]
 }
 
+target "ros1-bookworm-core-torch-cu128-env-lerobot" {
+  inherits = ["_ros1-bookworm", "_torch-cu128-py311-env-lerobot"]
+}
+
 # ---- ros1-trixie ----------------------------------------------------------------------------------------------------
 
 target "_ros1-trixie" {
@@ -25806,7 +25983,7 @@ group "iron" {
 
 group "jazzy" {
   targets = [
-    "jazzy-core", "jazzy-base", "jazzy-perception", "jazzy-desktop", "jazzy-desktop-full", "jazzy-core-run", "jazzy-base-run", "jazzy-core-cuda-cu128", "jazzy-base-cuda-cu128", "jazzy-perception-cuda-cu128", "jazzy-desktop-cuda-cu128", "jazzy-desktop-full-cuda-cu128", "jazzy-core-run-cuda-cu128", "jazzy-base-run-cuda-cu128", "jazzy-core-cuda-cu130", "jazzy-base-cuda-cu130", "jazzy-perception-cuda-cu130", "jazzy-desktop-cuda-cu130", "jazzy-desktop-full-cuda-cu130", "jazzy-core-run-cuda-cu130", "jazzy-base-run-cuda-cu130", "jazzy-core-cuda-cu132", "jazzy-base-cuda-cu132", "jazzy-perception-cuda-cu132", "jazzy-desktop-cuda-cu132", "jazzy-desktop-full-cuda-cu132", "jazzy-core-run-cuda-cu132", "jazzy-base-run-cuda-cu132", "jazzy-core-cuda-cu121", "jazzy-base-cuda-cu121", "jazzy-perception-cuda-cu121", "jazzy-desktop-cuda-cu121", "jazzy-desktop-full-cuda-cu121", "jazzy-core-run-cuda-cu121", "jazzy-base-run-cuda-cu121", "jazzy-core-torch-cu128", "jazzy-base-torch-cu128", "jazzy-perception-torch-cu128", "jazzy-desktop-torch-cu128", "jazzy-desktop-full-torch-cu128", "jazzy-core-run-torch-cu128", "jazzy-base-run-torch-cu128", "jazzy-core-torch-cu130", "jazzy-base-torch-cu130", "jazzy-perception-torch-cu130", "jazzy-desktop-torch-cu130", "jazzy-desktop-full-torch-cu130", "jazzy-core-run-torch-cu130", "jazzy-base-run-torch-cu130", "jazzy-core-torch-cu132", "jazzy-base-torch-cu132", "jazzy-perception-torch-cu132", "jazzy-desktop-torch-cu132", "jazzy-desktop-full-torch-cu132", "jazzy-core-run-torch-cu132", "jazzy-base-run-torch-cu132", "jazzy-core-torch-cpu", "jazzy-base-torch-cpu", "jazzy-perception-torch-cpu", "jazzy-desktop-torch-cpu", "jazzy-desktop-full-torch-cpu", "jazzy-core-run-torch-cpu", "jazzy-base-run-torch-cpu", "jazzy-core-tensorflow-cu128", "jazzy-base-tensorflow-cu128", "jazzy-perception-tensorflow-cu128", "jazzy-desktop-tensorflow-cu128", "jazzy-desktop-full-tensorflow-cu128", "jazzy-core-run-tensorflow-cu128", "jazzy-base-run-tensorflow-cu128", "jazzy-core-tensorflow-cpu", "jazzy-base-tensorflow-cpu", "jazzy-perception-tensorflow-cpu", "jazzy-desktop-tensorflow-cpu", "jazzy-desktop-full-tensorflow-cpu", "jazzy-core-run-tensorflow-cpu", "jazzy-base-run-tensorflow-cpu", "jazzy-core-ml-cu128", "jazzy-base-ml-cu128", "jazzy-perception-ml-cu128", "jazzy-desktop-ml-cu128", "jazzy-desktop-full-ml-cu128", "jazzy-core-run-ml-cu128", "jazzy-base-run-ml-cu128", "jazzy-core-ml-cpu", "jazzy-base-ml-cpu", "jazzy-perception-ml-cpu", "jazzy-desktop-ml-cpu", "jazzy-desktop-full-ml-cpu", "jazzy-core-run-ml-cpu", "jazzy-base-run-ml-cpu", "jazzy-base-onnx-cu128", "jazzy-base-onnx-cu130", "jazzy-base-onnx-cpu",
+    "jazzy-core", "jazzy-base", "jazzy-perception", "jazzy-desktop", "jazzy-desktop-full", "jazzy-core-run", "jazzy-base-run", "jazzy-core-cuda-cu128", "jazzy-base-cuda-cu128", "jazzy-perception-cuda-cu128", "jazzy-desktop-cuda-cu128", "jazzy-desktop-full-cuda-cu128", "jazzy-core-run-cuda-cu128", "jazzy-base-run-cuda-cu128", "jazzy-core-cuda-cu130", "jazzy-base-cuda-cu130", "jazzy-perception-cuda-cu130", "jazzy-desktop-cuda-cu130", "jazzy-desktop-full-cuda-cu130", "jazzy-core-run-cuda-cu130", "jazzy-base-run-cuda-cu130", "jazzy-core-cuda-cu132", "jazzy-base-cuda-cu132", "jazzy-perception-cuda-cu132", "jazzy-desktop-cuda-cu132", "jazzy-desktop-full-cuda-cu132", "jazzy-core-run-cuda-cu132", "jazzy-base-run-cuda-cu132", "jazzy-core-cuda-cu121", "jazzy-base-cuda-cu121", "jazzy-perception-cuda-cu121", "jazzy-desktop-cuda-cu121", "jazzy-desktop-full-cuda-cu121", "jazzy-core-run-cuda-cu121", "jazzy-base-run-cuda-cu121", "jazzy-core-torch-cu128", "jazzy-base-torch-cu128", "jazzy-perception-torch-cu128", "jazzy-desktop-torch-cu128", "jazzy-desktop-full-torch-cu128", "jazzy-core-run-torch-cu128", "jazzy-base-run-torch-cu128", "jazzy-core-torch-cu130", "jazzy-base-torch-cu130", "jazzy-perception-torch-cu130", "jazzy-desktop-torch-cu130", "jazzy-desktop-full-torch-cu130", "jazzy-core-run-torch-cu130", "jazzy-base-run-torch-cu130", "jazzy-core-torch-cu132", "jazzy-base-torch-cu132", "jazzy-perception-torch-cu132", "jazzy-desktop-torch-cu132", "jazzy-desktop-full-torch-cu132", "jazzy-core-run-torch-cu132", "jazzy-base-run-torch-cu132", "jazzy-core-torch-cpu", "jazzy-base-torch-cpu", "jazzy-perception-torch-cpu", "jazzy-desktop-torch-cpu", "jazzy-desktop-full-torch-cpu", "jazzy-core-run-torch-cpu", "jazzy-base-run-torch-cpu", "jazzy-core-tensorflow-cu128", "jazzy-base-tensorflow-cu128", "jazzy-perception-tensorflow-cu128", "jazzy-desktop-tensorflow-cu128", "jazzy-desktop-full-tensorflow-cu128", "jazzy-core-run-tensorflow-cu128", "jazzy-base-run-tensorflow-cu128", "jazzy-core-tensorflow-cpu", "jazzy-base-tensorflow-cpu", "jazzy-perception-tensorflow-cpu", "jazzy-desktop-tensorflow-cpu", "jazzy-desktop-full-tensorflow-cpu", "jazzy-core-run-tensorflow-cpu", "jazzy-base-run-tensorflow-cpu", "jazzy-core-ml-cu128", "jazzy-base-ml-cu128", "jazzy-perception-ml-cu128", "jazzy-desktop-ml-cu128", "jazzy-desktop-full-ml-cu128", "jazzy-core-run-ml-cu128", "jazzy-base-run-ml-cu128", "jazzy-core-ml-cpu", "jazzy-base-ml-cpu", "jazzy-perception-ml-cpu", "jazzy-desktop-ml-cpu", "jazzy-desktop-full-ml-cpu", "jazzy-core-run-ml-cpu", "jazzy-base-run-ml-cpu", "jazzy-base-onnx-cu128", "jazzy-base-onnx-cu130", "jazzy-base-onnx-cpu", "jazzy-base-torch-cu128-env-lerobot",
   ]
 }
 
@@ -25830,7 +26007,7 @@ group "rolling" {
 
 group "ros1-bookworm" {
   targets = [
-    "ros1-bookworm-core", "ros1-bookworm-base", "ros1-bookworm-robot", "ros1-bookworm-perception", "ros1-bookworm-desktop", "ros1-bookworm-desktop-full", "ros1-bookworm-core-run", "ros1-bookworm-base-run", "ros1-bookworm-core-cuda-cu128", "ros1-bookworm-base-cuda-cu128", "ros1-bookworm-robot-cuda-cu128", "ros1-bookworm-perception-cuda-cu128", "ros1-bookworm-desktop-cuda-cu128", "ros1-bookworm-desktop-full-cuda-cu128", "ros1-bookworm-core-run-cuda-cu128", "ros1-bookworm-base-run-cuda-cu128", "ros1-bookworm-core-cuda-cu130", "ros1-bookworm-base-cuda-cu130", "ros1-bookworm-robot-cuda-cu130", "ros1-bookworm-perception-cuda-cu130", "ros1-bookworm-desktop-cuda-cu130", "ros1-bookworm-desktop-full-cuda-cu130", "ros1-bookworm-core-run-cuda-cu130", "ros1-bookworm-base-run-cuda-cu130", "ros1-bookworm-core-cuda-cu132", "ros1-bookworm-base-cuda-cu132", "ros1-bookworm-robot-cuda-cu132", "ros1-bookworm-perception-cuda-cu132", "ros1-bookworm-desktop-cuda-cu132", "ros1-bookworm-desktop-full-cuda-cu132", "ros1-bookworm-core-run-cuda-cu132", "ros1-bookworm-base-run-cuda-cu132", "ros1-bookworm-core-cuda-cu121", "ros1-bookworm-base-cuda-cu121", "ros1-bookworm-robot-cuda-cu121", "ros1-bookworm-perception-cuda-cu121", "ros1-bookworm-desktop-cuda-cu121", "ros1-bookworm-desktop-full-cuda-cu121", "ros1-bookworm-core-run-cuda-cu121", "ros1-bookworm-base-run-cuda-cu121", "ros1-bookworm-core-torch-cu128", "ros1-bookworm-base-torch-cu128", "ros1-bookworm-robot-torch-cu128", "ros1-bookworm-perception-torch-cu128", "ros1-bookworm-desktop-torch-cu128", "ros1-bookworm-desktop-full-torch-cu128", "ros1-bookworm-core-run-torch-cu128", "ros1-bookworm-base-run-torch-cu128", "ros1-bookworm-core-torch-cu130", "ros1-bookworm-base-torch-cu130", "ros1-bookworm-robot-torch-cu130", "ros1-bookworm-perception-torch-cu130", "ros1-bookworm-desktop-torch-cu130", "ros1-bookworm-desktop-full-torch-cu130", "ros1-bookworm-core-run-torch-cu130", "ros1-bookworm-base-run-torch-cu130", "ros1-bookworm-core-torch-cu132", "ros1-bookworm-base-torch-cu132", "ros1-bookworm-robot-torch-cu132", "ros1-bookworm-perception-torch-cu132", "ros1-bookworm-desktop-torch-cu132", "ros1-bookworm-desktop-full-torch-cu132", "ros1-bookworm-core-run-torch-cu132", "ros1-bookworm-base-run-torch-cu132", "ros1-bookworm-core-tensorflow-cu128", "ros1-bookworm-base-tensorflow-cu128", "ros1-bookworm-robot-tensorflow-cu128", "ros1-bookworm-perception-tensorflow-cu128", "ros1-bookworm-desktop-tensorflow-cu128", "ros1-bookworm-desktop-full-tensorflow-cu128", "ros1-bookworm-core-run-tensorflow-cu128", "ros1-bookworm-base-run-tensorflow-cu128", "ros1-bookworm-core-tensorflow-cpu", "ros1-bookworm-base-tensorflow-cpu", "ros1-bookworm-robot-tensorflow-cpu", "ros1-bookworm-perception-tensorflow-cpu", "ros1-bookworm-desktop-tensorflow-cpu", "ros1-bookworm-desktop-full-tensorflow-cpu", "ros1-bookworm-core-run-tensorflow-cpu", "ros1-bookworm-base-run-tensorflow-cpu", "ros1-bookworm-core-ml-cu128", "ros1-bookworm-base-ml-cu128", "ros1-bookworm-robot-ml-cu128", "ros1-bookworm-perception-ml-cu128", "ros1-bookworm-desktop-ml-cu128", "ros1-bookworm-desktop-full-ml-cu128", "ros1-bookworm-core-run-ml-cu128", "ros1-bookworm-base-run-ml-cu128", "ros1-bookworm-base-onnx-cu128", "ros1-bookworm-base-onnx-cu130", "ros1-bookworm-base-onnx-cpu",
+    "ros1-bookworm-core", "ros1-bookworm-base", "ros1-bookworm-robot", "ros1-bookworm-perception", "ros1-bookworm-desktop", "ros1-bookworm-desktop-full", "ros1-bookworm-core-run", "ros1-bookworm-base-run", "ros1-bookworm-core-cuda-cu128", "ros1-bookworm-base-cuda-cu128", "ros1-bookworm-robot-cuda-cu128", "ros1-bookworm-perception-cuda-cu128", "ros1-bookworm-desktop-cuda-cu128", "ros1-bookworm-desktop-full-cuda-cu128", "ros1-bookworm-core-run-cuda-cu128", "ros1-bookworm-base-run-cuda-cu128", "ros1-bookworm-core-cuda-cu130", "ros1-bookworm-base-cuda-cu130", "ros1-bookworm-robot-cuda-cu130", "ros1-bookworm-perception-cuda-cu130", "ros1-bookworm-desktop-cuda-cu130", "ros1-bookworm-desktop-full-cuda-cu130", "ros1-bookworm-core-run-cuda-cu130", "ros1-bookworm-base-run-cuda-cu130", "ros1-bookworm-core-cuda-cu132", "ros1-bookworm-base-cuda-cu132", "ros1-bookworm-robot-cuda-cu132", "ros1-bookworm-perception-cuda-cu132", "ros1-bookworm-desktop-cuda-cu132", "ros1-bookworm-desktop-full-cuda-cu132", "ros1-bookworm-core-run-cuda-cu132", "ros1-bookworm-base-run-cuda-cu132", "ros1-bookworm-core-cuda-cu121", "ros1-bookworm-base-cuda-cu121", "ros1-bookworm-robot-cuda-cu121", "ros1-bookworm-perception-cuda-cu121", "ros1-bookworm-desktop-cuda-cu121", "ros1-bookworm-desktop-full-cuda-cu121", "ros1-bookworm-core-run-cuda-cu121", "ros1-bookworm-base-run-cuda-cu121", "ros1-bookworm-core-torch-cu128", "ros1-bookworm-base-torch-cu128", "ros1-bookworm-robot-torch-cu128", "ros1-bookworm-perception-torch-cu128", "ros1-bookworm-desktop-torch-cu128", "ros1-bookworm-desktop-full-torch-cu128", "ros1-bookworm-core-run-torch-cu128", "ros1-bookworm-base-run-torch-cu128", "ros1-bookworm-core-torch-cu130", "ros1-bookworm-base-torch-cu130", "ros1-bookworm-robot-torch-cu130", "ros1-bookworm-perception-torch-cu130", "ros1-bookworm-desktop-torch-cu130", "ros1-bookworm-desktop-full-torch-cu130", "ros1-bookworm-core-run-torch-cu130", "ros1-bookworm-base-run-torch-cu130", "ros1-bookworm-core-torch-cu132", "ros1-bookworm-base-torch-cu132", "ros1-bookworm-robot-torch-cu132", "ros1-bookworm-perception-torch-cu132", "ros1-bookworm-desktop-torch-cu132", "ros1-bookworm-desktop-full-torch-cu132", "ros1-bookworm-core-run-torch-cu132", "ros1-bookworm-base-run-torch-cu132", "ros1-bookworm-core-tensorflow-cu128", "ros1-bookworm-base-tensorflow-cu128", "ros1-bookworm-robot-tensorflow-cu128", "ros1-bookworm-perception-tensorflow-cu128", "ros1-bookworm-desktop-tensorflow-cu128", "ros1-bookworm-desktop-full-tensorflow-cu128", "ros1-bookworm-core-run-tensorflow-cu128", "ros1-bookworm-base-run-tensorflow-cu128", "ros1-bookworm-core-tensorflow-cpu", "ros1-bookworm-base-tensorflow-cpu", "ros1-bookworm-robot-tensorflow-cpu", "ros1-bookworm-perception-tensorflow-cpu", "ros1-bookworm-desktop-tensorflow-cpu", "ros1-bookworm-desktop-full-tensorflow-cpu", "ros1-bookworm-core-run-tensorflow-cpu", "ros1-bookworm-base-run-tensorflow-cpu", "ros1-bookworm-core-ml-cu128", "ros1-bookworm-base-ml-cu128", "ros1-bookworm-robot-ml-cu128", "ros1-bookworm-perception-ml-cu128", "ros1-bookworm-desktop-ml-cu128", "ros1-bookworm-desktop-full-ml-cu128", "ros1-bookworm-core-run-ml-cu128", "ros1-bookworm-base-run-ml-cu128", "ros1-bookworm-base-onnx-cu128", "ros1-bookworm-base-onnx-cu130", "ros1-bookworm-base-onnx-cpu", "ros1-bookworm-core-torch-cu128-env-lerobot",
   ]
 }
 
@@ -25859,6 +26036,7 @@ group "core" {
     "ros1-bookworm-core", "ros1-bookworm-core-cuda-cu128", "ros1-bookworm-core-cuda-cu130", "ros1-bookworm-core-cuda-cu132", "ros1-bookworm-core-cuda-cu121", "ros1-bookworm-core-torch-cu128", "ros1-bookworm-core-torch-cu130", "ros1-bookworm-core-torch-cu132", "ros1-bookworm-core-tensorflow-cu128", "ros1-bookworm-core-tensorflow-cpu", "ros1-bookworm-core-ml-cu128",
     "ros1-trixie-core", "ros1-trixie-core-cuda-cu128", "ros1-trixie-core-cuda-cu130", "ros1-trixie-core-cuda-cu132", "ros1-trixie-core-cuda-cu121", "ros1-trixie-core-torch-cu128", "ros1-trixie-core-torch-cu130", "ros1-trixie-core-torch-cu132", "ros1-trixie-core-torch-cpu", "ros1-trixie-core-tensorflow-cu128", "ros1-trixie-core-tensorflow-cpu", "ros1-trixie-core-ml-cu128", "ros1-trixie-core-ml-cpu",
     "jazzy-wheels-core", "jazzy-wheels-core-cuda-cu128", "jazzy-wheels-core-cuda-cu130", "jazzy-wheels-core-cuda-cu132", "jazzy-wheels-core-cuda-cu121", "jazzy-wheels-core-torch-cu128", "jazzy-wheels-core-torch-cu130", "jazzy-wheels-core-torch-cu132", "jazzy-wheels-core-tensorflow-cu128", "jazzy-wheels-core-tensorflow-cpu", "jazzy-wheels-core-ml-cu128",
+    "ros1-bookworm-core-torch-cu128-env-lerobot",
   ]
 }
 
@@ -25883,6 +26061,7 @@ group "base" {
     "jazzy-base-onnx-cpu",
     "humble-base-onnx-cpu",
     "ros1-bookworm-base-onnx-cpu",
+    "jazzy-base-torch-cu128-env-lerobot",
   ]
 }
 
@@ -26120,6 +26299,13 @@ group "tensorrt-rtx" {
   ]
 }
 
+group "lerobot" {
+  targets = [
+    "jazzy-base-torch-cu128-env-lerobot",
+    "ros1-bookworm-core-torch-cu128-env-lerobot",
+  ]
+}
+
 group "cu128" {
   targets = [
     "noetic-core-cuda-cu128", "noetic-base-cuda-cu128", "noetic-robot-cuda-cu128", "noetic-perception-cuda-cu128", "noetic-desktop-cuda-cu128", "noetic-desktop-full-cuda-cu128", "noetic-core-run-cuda-cu128", "noetic-base-run-cuda-cu128",
@@ -26136,6 +26322,8 @@ group "cu128" {
     "jazzy-base-onnx-cu128",
     "humble-base-onnx-cu128",
     "ros1-bookworm-base-onnx-cu128",
+    "jazzy-base-torch-cu128-env-lerobot",
+    "ros1-bookworm-core-torch-cu128-env-lerobot",
   ]
 }
 
@@ -26234,11 +26422,13 @@ group "all" {
     "jazzy-base-onnx-cpu",
     "humble-base-onnx-cpu",
     "ros1-bookworm-base-onnx-cpu",
+    "jazzy-base-torch-cu128-env-lerobot",
+    "ros1-bookworm-core-torch-cu128-env-lerobot",
   ]
 }
 
 group "parts" {
   targets = [
-    "part-cuda-cu128", "part-cuda-cu130", "part-devel-cu130", "part-cuda-cu132", "part-devel-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-grpc-cu121-py38", "part-onnxruntime-cc-cu121", "part-onnxruntime-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-onnxruntime-cc-cu128", "part-onnxruntime-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-tensorrt-rtx-cc-cu130", "part-tensorrt-rtx-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-tensorrt-rtx-cc-cu132", "part-tensorrt-rtx-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-onnxruntime-cc-cpu", "part-onnxruntime-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-onnxruntime-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-onnxruntime-cc-cu130", "part-onnxruntime-cu130-py312", "part-tritonclient-cu130-py312", "part-tensorrt-rtx-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-onnxruntime-cc-cu132", "part-onnxruntime-cu132-py312", "part-tritonclient-cu132-py312", "part-tensorrt-rtx-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-onnxruntime-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-onnxruntime-cu130-py314", "part-tritonclient-cu130-py314", "part-tensorrt-rtx-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-onnxruntime-cu132-py314", "part-tritonclient-cu132-py314", "part-tensorrt-rtx-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-onnxruntime-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-onnxruntime-cu130-py311", "part-tritonclient-cu130-py311", "part-tensorrt-rtx-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-onnxruntime-cu132-py311", "part-tritonclient-cu132-py311", "part-tensorrt-rtx-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-onnxruntime-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-onnxruntime-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-onnxruntime-cu130-py313", "part-tritonclient-cu130-py313", "part-tensorrt-rtx-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-onnxruntime-cu132-py313", "part-tritonclient-cu132-py313", "part-tensorrt-rtx-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-onnxruntime-cpu-py313", "part-tritonclient-cpu-py313", "part-common-cpu314-py314", "part-grpc-cpu314-py314", "part-onnxruntime-cc-cpu314", "part-onnxruntime-cpu314-py314",
+    "part-cuda-cu128", "part-cuda-cu130", "part-devel-cu130", "part-cuda-cu132", "part-devel-cu132", "part-cuda-cu121", "part-common-cu121-py38", "part-torch-cu121-py38", "part-grpc-cu121-py38", "part-onnxruntime-cc-cu121", "part-onnxruntime-cu121-py38", "part-common-cpu38-py38", "part-grpc-cpu38-py38", "part-tensorflow-cc-cpu38", "part-tensorflow-cpu38-py38", "part-common-cu128-py310", "part-torch-cu128-py310", "part-grpc-cu128-py310", "part-tensorflow-cc-cu128", "part-tensorflow-cu128-py310", "part-onnxruntime-cc-cu128", "part-onnxruntime-cu128-py310", "part-tritonclient-cu128-py310", "part-common-cu130-py310", "part-torch-cu130-py310", "part-grpc-cu130-py310", "part-tritonclient-cu130-py310", "part-tensorrt-rtx-cc-cu130", "part-tensorrt-rtx-cu130-py310", "part-common-cu132-py310", "part-grpc-cu132-py310", "part-tritonclient-cu132-py310", "part-tensorrt-rtx-cc-cu132", "part-tensorrt-rtx-cu132-py310", "part-common-cpu-py310", "part-torch-cpu-py310", "part-grpc-cpu-py310", "part-tensorflow-cc-cpu", "part-tensorflow-cpu-py310", "part-onnxruntime-cc-cpu", "part-onnxruntime-cpu-py310", "part-tritonclient-cpu-py310", "part-common-cu128-py312", "part-torch-cu128-py312", "part-grpc-cu128-py312", "part-tensorflow-cu128-py312", "part-onnxruntime-cu128-py312", "part-tritonclient-cu128-py312", "part-common-cu130-py312", "part-torch-cu130-py312", "part-grpc-cu130-py312", "part-onnxruntime-cc-cu130", "part-onnxruntime-cu130-py312", "part-tritonclient-cu130-py312", "part-tensorrt-rtx-cu130-py312", "part-common-cu132-py312", "part-torch-cu132-py312", "part-grpc-cu132-py312", "part-onnxruntime-cc-cu132", "part-onnxruntime-cu132-py312", "part-tritonclient-cu132-py312", "part-tensorrt-rtx-cu132-py312", "part-common-cpu-py312", "part-torch-cpu-py312", "part-grpc-cpu-py312", "part-tensorflow-cpu-py312", "part-onnxruntime-cpu-py312", "part-tritonclient-cpu-py312", "part-common-cu128-py314", "part-torch-cu128-py314", "part-grpc-cu128-py314", "part-tritonclient-cu128-py314", "part-common-cu130-py314", "part-torch-cu130-py314", "part-grpc-cu130-py314", "part-onnxruntime-cu130-py314", "part-tritonclient-cu130-py314", "part-tensorrt-rtx-cu130-py314", "part-common-cu132-py314", "part-torch-cu132-py314", "part-grpc-cu132-py314", "part-onnxruntime-cu132-py314", "part-tritonclient-cu132-py314", "part-tensorrt-rtx-cu132-py314", "part-common-cpu-py314", "part-grpc-cpu-py314", "part-tritonclient-cpu-py314", "part-common-cu128-py311", "part-torch-cu128-py311", "part-grpc-cu128-py311", "part-tensorflow-cu128-py311", "part-onnxruntime-cu128-py311", "part-tritonclient-cu128-py311", "part-common-cu130-py311", "part-torch-cu130-py311", "part-grpc-cu130-py311", "part-onnxruntime-cu130-py311", "part-tritonclient-cu130-py311", "part-tensorrt-rtx-cu130-py311", "part-common-cu132-py311", "part-torch-cu132-py311", "part-grpc-cu132-py311", "part-onnxruntime-cu132-py311", "part-tritonclient-cu132-py311", "part-tensorrt-rtx-cu132-py311", "part-common-cpu-py311", "part-grpc-cpu-py311", "part-tensorflow-cpu-py311", "part-onnxruntime-cpu-py311", "part-tritonclient-cpu-py311", "part-common-cu128-py313", "part-torch-cu128-py313", "part-grpc-cu128-py313", "part-tensorflow-cu128-py313", "part-onnxruntime-cu128-py313", "part-tritonclient-cu128-py313", "part-common-cu130-py313", "part-torch-cu130-py313", "part-grpc-cu130-py313", "part-onnxruntime-cu130-py313", "part-tritonclient-cu130-py313", "part-tensorrt-rtx-cu130-py313", "part-common-cu132-py313", "part-torch-cu132-py313", "part-grpc-cu132-py313", "part-onnxruntime-cu132-py313", "part-tritonclient-cu132-py313", "part-tensorrt-rtx-cu132-py313", "part-common-cpu-py313", "part-torch-cpu-py313", "part-grpc-cpu-py313", "part-tensorflow-cpu-py313", "part-onnxruntime-cpu-py313", "part-tritonclient-cpu-py313", "part-common-cpu314-py314", "part-grpc-cpu314-py314", "part-onnxruntime-cc-cpu314", "part-onnxruntime-cpu314-py314", "part-env-lerobot-py312", "part-env-lerobot-py311",
   ]
 }

@@ -4092,6 +4092,16 @@ target "jazzy-core-tensorrt-rtx-cu132-test" {
   }
 }
 
+target "jazzy-base-torch-cu128-env-lerobot-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("jazzy-base-torch-cu128-env-lerobot", "ros-torch", "jazzy-base-torch-cu128-env-lerobot") }
+  args = {
+    TESTS  = "contract environment lerobot"
+    EXPECT = "os=ubuntu-24.04 python=3.12 ros=2 ros_distro=jazzy environment=lerobot releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=ros-jazzy-ros-core packages_base=ros-jazzy-ros-base torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+  }
+}
+
 # ---- kilted ---------------------------------------------------------------------------------------------------------
 
 target "kilted-core-test" {
@@ -7680,6 +7690,16 @@ target "ros1-bookworm-core-tensorrt-rtx-cu132-test" {
   }
 }
 
+target "ros1-bookworm-core-torch-cu128-env-lerobot-test" {
+  inherits  = ["_test"]
+  platforms = PLATFORM == "" ? ["linux/amd64"] : [PLATFORM]
+  contexts  = { image = dependency("ros1-bookworm-core-torch-cu128-env-lerobot", "ros-torch", "ros1-bookworm-core-torch-cu128-env-lerobot") }
+  args = {
+    TESTS  = "contract environment lerobot"
+    EXPECT = "os=bookworm python=3.11 ros=1 ros_distro=Debian environment=lerobot releases=torch,tensorflow,onnxruntime,tritonclient,tensorrt-rtx packages_core=rosbash,ros-core,ros-core-dev,ros-core-python-dev torch=2.10.0 cuda=12.8.90 cudnn=9.10.2.21 nccl=2.27.5 torchaudio=2.10.0 torchvision=0.25.0 gpu_driver=525 gpu_torch_amd64=sm_70,sm_75,sm_80,sm_86,sm_90,sm_100,sm_120"
+  }
+}
+
 # ---- ros1-trixie ----------------------------------------------------------------------------------------------------
 
 target "ros1-trixie-core-test" {
@@ -9128,5 +9148,7 @@ group "tests" {
     "humble-core-tensorrt-rtx-cu132-test",
     "ros1-trixie-core-tensorrt-rtx-cu132-test",
     "ros1-bookworm-core-tensorrt-rtx-cu132-test",
+    "jazzy-base-torch-cu128-env-lerobot-test",
+    "ros1-bookworm-core-torch-cu128-env-lerobot-test",
   ]
 }

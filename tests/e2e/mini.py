@@ -21,6 +21,7 @@ import yaml
 from rosml import ROOT
 from rosml.base.file_lock import turn
 from rosml.images.bake import bake_file
+from rosml.images.environments.lock import Lock
 from rosml.images.image_set import load
 from rosml.images.image_set.model import ImageSet
 from rosml.images.publish.state import Request
@@ -38,7 +39,7 @@ from tests.e2e.images import NATIVE, buildx, system
 
 CHECKOUT = (
     *("Dockerfile", ".dockerignore", bake_file.NAME, bake_file.TESTS, "matrix.yaml"),
-    *("components", "locks", "src", "scripts", "tools", "tests/structure"),
+    *("components", "environments", "locks", "src", "scripts", "tools", "tests/structure"),
 )
 """What a build needs of a checkout."""
 
@@ -46,6 +47,9 @@ OTHER = "amd64" if NATIVE == "arm64" else "arm64"
 
 PARTS = ("common-cpu-py311", "grpc-cpu-py311", "tensorflow-cc-cpu", "tensorflow-cpu-py311")
 """What an image with TensorFlow has."""
+
+PARTS_OF = ("part", "env")
+"""The repositories of what is no image: it is tested in the images that have it."""
 
 NOTHING = "#!/usr/bin/env bash\n"
 
@@ -208,6 +212,17 @@ class Mini:
         path = "/nowhere" if poisoned else "/etc/os-release"
         (self.folder / f"tests/structure/{name}.yaml").write_text(TEST.format(path=path))
 
+    def with_environment(self, *images: str) -> None:
+        """Gives images one that has no packages, built by the real scripts."""
+        text = str(Lock("empty", "3.11", NATIVE, 36, {}, {}))
+        file = self.folder / f"environments/empty/3.11/{NATIVE}.txt"
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(text)
+        matrix = yaml.safe_load((self.folder / "matrix.yaml").read_text())
+        size = {"unpacked": 1, "compressed": 1}
+        matrix["environments"] = {"empty": {"images": [*images], "architectures": [NATIVE], "disk": size}}
+        (self.folder / "matrix.yaml").write_text(yaml.safe_dump(matrix, sort_keys=False))
+
     def client(self) -> Registry:
         """The registry."""
         return Registry(self.services.registry)
@@ -215,7 +230,7 @@ class Mini:
     def tags(self) -> dict[str, str]:
         """Every tag of every image and part, and where it points."""
         client = self.client()
-        paths = {repository: f"{self.prefix}/{repository}" for repository in ("ros", "ros-tf", "part")}
+        paths = {repository: f"{self.prefix}/{repository}" for repository in ("ros", "ros-tf", *PARTS_OF)}
         return {
             f"{repository}:{tag}": client.head(path, tag)
             for repository, path in paths.items()
@@ -231,14 +246,14 @@ class Mini:
             repository = f"{self.prefix}/{tag.split(':')[0]}"
             index = client.manifest(repository, digest)
             assert index and index.content.get("manifests"), f"{tag} points at no index"
-            if not tag.startswith("part:"):
+            if not tag.startswith(PARTS_OF):
                 require_oci_set(index.content["annotations"], tag)
             assert store.DATE in index.content["annotations"], f"{tag} was not made by a run"
             for member in index.content["manifests"]:
                 assert client.referrers(repository, member["digest"], ARTIFACT), f"{tag}: its entry is not attached"
                 manifest = client.manifest(repository, member["digest"])
                 assert manifest, f"{tag} is partial"
-                if not tag.startswith("part:"):
+                if not tag.startswith(PARTS_OF):
                     attached = book.attached(repository.removeprefix(f"{self.prefix}/"), member["digest"])
                     assert attached and attached.passed and not attached.failures, f"{tag}: an untested image"
                     config = client.json_blob(repository, manifest.content["config"]["digest"])
@@ -251,9 +266,9 @@ SOURCE = "https://example.org/images"
 """Where the small project says that it lives."""
 
 OCI = {
-    "title": r"(ros1-bookworm|broken|late)-(core|base)(-tensorflow-cpu)?",
-    "description": r"ROS 1 (core|base) \((ros1-bookworm|broken|late)\)(, TensorFlow 2\.21\.0)?",
-    "version": r"(ros1-bookworm|broken|late)-(core|base)(-cpu-tf2\.21\.0)?",
+    "title": r"(ros1-bookworm|broken|late)-(core|base)(-tensorflow-cpu)?(-env-empty)?",
+    "description": r"ROS 1 (core|base) \((ros1-bookworm|broken|late)\)(, TensorFlow 2\.21\.0)?(, environment empty)?",
+    "version": r"(ros1-bookworm|broken|late)-(core|base)(-cpu-tf2\.21\.0)?(-env-empty)?",
     "created": r"2026-01-01T00:00:00Z",
     "licenses": r"Apache-2\.0( AND [A-Za-z0-9.-]+)*",
     "base.name": r"\S*debian:bookworm",
@@ -351,6 +366,7 @@ def make(folder: Path, services: Services) -> Mini:
     release = matrix["stacks"]["cpu"]["releases"]["tensorflow"]
     package = matrix["stacks"]["cpu"]["packages"]["tensorflow"]
     matrix.pop("addons")
+    matrix.pop("environments")
     matrix["stacks"] = {"cpu": matrix["stacks"]["cpu"] | {"releases": {"tensorflow": release}}}
     matrix["stacks"]["cpu"]["packages"] = {"tensorflow": package}
     matrix["releases"] = {"tensorflow": {release: matrix["releases"]["tensorflow"][release]}}

@@ -150,6 +150,15 @@ def test_messages_of_ros_2_with_both_numpys(
 
 
 @pytest.mark.full(proof="cuda")
+def test_lerobot(published: Publish) -> None:
+    """As it is built each night: ACT and diffusion act in it. Its layer is the last one."""
+    with_it = published("ros1-bookworm-core-torch-cu128-env-lerobot")
+    assert with_it.layers[:-1] == published("ros1-bookworm-core-torch-cu128").layers
+    config_labels = config(with_it.services, with_it.reference)["Labels"]
+    assert config_labels["io.rosml.environments"] == "lerobot"
+
+
+@pytest.mark.full(proof="cuda")
 def test_policies(services: Services, published: Publish, tmp_path: Path) -> None:
     """Each in one process with messages of ROS. They take PyTorch and numpy of the image."""
     target, image = "ros1-bookworm-core-torch-cu128", f"{services.registry}/{NAMESPACE}/with-env:policies"

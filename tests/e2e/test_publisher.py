@@ -66,6 +66,24 @@ def test_all_then_nothing_then_what_changed(mini: Mini) -> None:
     assert all(back[name] == digest for name, digest in tags.items())
 
 
+def test_an_environment_beside_an_image(mini: Mini) -> None:
+    """It is a part of one image more, with tags of its own; the next night does nothing."""
+    image = f"{IMAGES[-1]}-env-empty"
+    mini.with_environment(IMAGES[-1])
+    first = mini.all()
+    assert "part-env-empty-py311" in did(first, "build")
+    assert did(first, "join") == did(first, "test")[2:] == [*IMAGES[2:], image]
+    mini.check()
+    tags = mini.tags()
+    assert {
+        "env:empty-py311",
+        "ros-tf:ros1-bookworm-base-cpu-env-empty",
+        "ros-tf:ros1-bookworm-env-empty",
+    } <= tags.keys()
+    again = mini.all()
+    assert (again["outcomes"], again["uploaded"]) == ([], 0)
+
+
 def test_a_poisoned_image_keeps_its_tags(mini: Mini) -> None:
     first = mini.all()
     tags = mini.tags()

@@ -164,8 +164,8 @@ def parse(text: str) -> sets.ImageSet:
 
 
 def write_locks(root: Path, image_set: sets.ImageSet) -> None:
-    """Every lock of a catalogue, as far as it is looked at without a build."""
-    for part in image_set.parts:
+    """Every lock of a catalogue but those of environments, as far as it is looked at without a build."""
+    for part in image_set.parts_of_stacks:
         for architecture, lock in zip(part.architectures, part.locks, strict=True):
             head = names.lock_head(part.stack, architecture, part.python, part.kind)
             (root / lock).parent.mkdir(parents=True, exist_ok=True)

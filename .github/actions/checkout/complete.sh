@@ -2,7 +2,7 @@
 # Completes a set in the current folder, a git checkout, to a whole rosml: complete.sh ROSML
 # The set's own files are those below; all others are ROSML's. In rosml itself, and in a fork of it, nothing is to be done.
 set -euo pipefail
-own=(set.yaml scan.yaml components locks tests/structure)
+own=(set.yaml scan.yaml components environments locks tests/structure)
 
 [[ -e scripts/bootstrap.py ]] && exit
 if [[ ! -e set.yaml ]]; then

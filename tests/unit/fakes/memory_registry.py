@@ -19,7 +19,7 @@ from rosml.base.errors import RosmlError
 from rosml.images.builds import package_state
 from rosml.images.builds.maker import BuildRequest, Maker, NewImage, Verdict
 from rosml.images.image_set.labels import title
-from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
+from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.publish import provenance, run, undo
 from rosml.images.publish.cosign import SignerFailed
 from rosml.images.publish.run import Outcome
@@ -255,14 +255,14 @@ class Bytes(Maker):
         self.actions.append((step, thing.target, architecture))
         sent = self.registry.uploaded
         labels = {"org.opencontainers.image.title": title(thing), **self.odd.get((thing.target, architecture), {})}
-        name = put_image(self.registry, f"{PREFIX}/{repository_of(thing)}", architecture, labels, layers)
+        name = put_image(self.registry, f"{PREFIX}/{thing.repository}", architecture, labels, layers)
         if step == "build":  # buildx sends it, and not the run's client
             getattr(self.registry, "transport", self.registry).uploaded = sent
         return name
 
     def _sbom(self, thing: Image | Part, digest: str) -> str:
         """A package of Debian is in each ROS image, and a wheel of its name in each part."""
-        sent, path = self.registry.uploaded, f"{PREFIX}/{repository_of(thing)}"
+        sent, path = self.registry.uploaded, f"{PREFIX}/{thing.repository}"
         names, system = ([thing.kind], "") if isinstance(thing, Part) else (["bash"], "12.15")
         document = sbom_of(f"{HOST}/{path}@{digest}", names, system)
         descriptor = self.registry.manifest(path, digest).descriptor

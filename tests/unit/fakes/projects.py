@@ -39,7 +39,7 @@ def copy(folder: Path) -> Path:
 
 
 def copy_for_generator(folder: Path) -> Path:
-    for name in ("components", "locks", "src", "scripts", "tests/structure", "tools"):
+    for name in ("components", "environments", "locks", "src", "scripts", "tests/structure", "tools"):
         shutil.copytree(ROOT / name, folder / name)
     pages = ("docs/tags.md", "docs/licences.md", "docs/images/layers.svg", "docs/images/rebase.svg")
     files = ["matrix.yaml", "matrix.schema.json", "catalogue.schema.json", "Dockerfile", "Makefile", "rosml"]

@@ -12,8 +12,8 @@ from typing import Any
 
 from fakes.memory_registry import IMAGE, INDEX, LAYER, PREFIX, MemoryRegistry
 from rosml.images.image_set import model as sets
-from rosml.images.image_set.labels import COVERED, of_part
-from rosml.images.image_set.model import ImageSet, Part, repository_of
+from rosml.images.image_set.labels import COVERED, of_environment, of_part
+from rosml.images.image_set.model import Environment, ImageSet, Part
 from rosml.images.matrix.tags import dated
 from rosml.images.records import tag_moves
 from rosml.images.records.store import ANNOTATION, DATE, Entry, Records
@@ -63,7 +63,7 @@ class Shelf:
         Records(Place(self.registry, PREFIX)).artifact(tag_moves.record_name(date), text.encode(), {ANNOTATION: "{}"})
 
     def _publish(self, thing: Thing, date: str, architectures: tuple[str, ...]) -> list[tag_moves.Move]:
-        book, repository = Records(Place(self.registry, PREFIX)), f"{PREFIX}/{repository_of(thing)}"
+        book, repository = Records(Place(self.registry, PREFIX)), f"{PREFIX}/{thing.repository}"
         members = {architecture: self._manifest(thing, architecture) for architecture in architectures}
         platforms = [
             {
@@ -89,9 +89,9 @@ class Shelf:
             entry = self._entry(thing, architecture, member, date)
             book.write(entry, {})
             book.attach(entry, {})
-        facts = Entry(thing.target, INDEX_ENTRY, repository=repository_of(thing), digest=digest, parts=members)
+        facts = Entry(thing.target, INDEX_ENTRY, repository=thing.repository, digest=digest, parts=members)
         book.write(facts, {})
-        return [tag_moves.Move(repository_of(thing), tag, previous, digest) for tag in tags]
+        return [tag_moves.Move(thing.repository, tag, previous, digest) for tag in tags]
 
     def _sboms(self, thing: Thing, architecture: str) -> dict[str, str]:
         """The annotations of an index that name the SBOMs of an image: those of its ROS image and parts."""
@@ -103,7 +103,7 @@ class Shelf:
 
     def _sbom(self, thing: Thing, architecture: str) -> str:
         """Attaches the SBOM of a ROS image or part to it: repository and digest."""
-        repository, digest = f"{PREFIX}/{repository_of(thing)}", self._manifest(thing, architecture)
+        repository, digest = f"{PREFIX}/{thing.repository}", self._manifest(thing, architecture)
         if isinstance(thing, Part):
             state = self.torch if thing.kind == "torch" else "1"
             wheels = {thing.kind: f"2.{state}", **({"pillow": "11.0"} if thing.kind == "torch" else {})}
@@ -127,7 +127,7 @@ class Shelf:
         artifact = self.registry.attach(
             repository, manifest.descriptor, sbom.MEDIA_TYPE, document, sbom.MEDIA_TYPE, sbom.FORMAT
         )
-        return f"{repository_of(thing)}@{artifact}"
+        return f"{thing.repository}@{artifact}"
 
     def _layers(self, thing: Thing, architecture: str) -> list[tuple[str, int]]:
         """Digests and sizes, lowest first; sizes are the matrix's forecast."""
@@ -148,8 +148,10 @@ class Shelf:
         return [*below, (layer_digest(f"{thing.target} {architecture} {self.ros}"), size)]
 
     def _manifest(self, thing: Thing, architecture: str) -> str:
-        repository = f"{PREFIX}/{repository_of(thing)}"
-        if isinstance(thing, Part):
+        repository = f"{PREFIX}/{thing.repository}"
+        if isinstance(thing, Environment):
+            labels = of_environment(thing.environment, thing.python, thing.takes)
+        elif isinstance(thing, Part):
             labels = of_part(self.image_set.matrix.part[thing.kind], thing.stack, thing.python, (), {})
         else:
             labels = {f"io.rosml.{name}": version for name, version in thing.versions.items()}
@@ -169,7 +171,7 @@ class Shelf:
             thing.target,
             architecture,
             inputs=layer_digest(f"{thing.target} {self.ros} {self.torch}").removeprefix("sha256:"),
-            repository=repository_of(thing),
+            repository=thing.repository,
             digest=digest,
             date=date,
             package_state=f"lists-{self.ros}",

@@ -101,11 +101,9 @@ def print_unlocked(images: Collection[Image]) -> None:
 
 def unlocked(images: Collection[Image]) -> Iterator[str]:
     """Says how many of some images lack a lock: a line for each remedy."""
-    lost = sum(bool(image.lost) for image in images)
-    waiting = sum(not image.locked for image in images) - lost
-    for count, remedy in ((lost, missing_locks.RESTORE), (waiting, missing_locks.ASK_PYTORCH)):
-        if count:
-            yield f"{counted(count, 'image')} without a lock, which cannot be built yet: {remedy}"
+    unlocked_images = sorted((image for image in images if not image.locked), key=lambda image: not image.lost)
+    for remedy, count in Counter(map(missing_locks.way_back, unlocked_images)).items():
+        yield f"{counted(count, 'image')} without a lock, which cannot be built yet: {remedy}"
 
 
 SHARDS = ("shard", "runner", "distributions", "images", "parts", "minutes (estimate)", "GB download", "GB disk")

@@ -19,9 +19,10 @@ from rosml.images.builds import base_images
 from rosml.images.builds.adopted import Adopted
 from rosml.images.builds.base_images import native_architecture
 from rosml.images.image_set import restricted
-from rosml.images.image_set.labels import PREFIX, RESTRICTED, RUNTIME, VERSION
+from rosml.images.image_set.labels import ENVIRONMENTS, PREFIX, RESTRICTED, RUNTIME, VERSION
 from rosml.images.image_set.load import load
 from rosml.images.matrix.model import Matrix
+from rosml.images.matrix.names import environments_end
 from rosml.images.matrix.tags import DATED, main_tag
 from rosml.machine.services import NAMESPACE, Services
 from rosml.registry import bases, oci, references
@@ -207,20 +208,22 @@ def distribution(base: Base, matrix: Matrix) -> str:
 
 
 def runtime(base: Base) -> str:
-    """The name of the image without compilers on which programs of this one run, of the same day and versions; empty for none."""
+    """The name of the image without compilers on which programs of this one run, of the same day and versions; empty for none. It has
+    no environments: they are joined to it."""
     labels = base.labels
     component, distribution = labels.get(RUNTIME, ""), labels.get(f"{PREFIX}distribution", "")
     if not component or not distribution:
         return ""
     stack, day = labels.get(f"{PREFIX}stack"), DATED.search(base.name)
-    tag, spelled = main_tag(distribution, labels.get(f"{PREFIX}component", ""), stack), labels.get(VERSION, "")
+    tag = main_tag(distribution, labels.get(f"{PREFIX}component", ""), stack)
+    spelled = labels.get(VERSION, "").removesuffix(environments_end(labels.get(ENVIRONMENTS, "").split()))
     versions = spelled.removeprefix(tag) if f":{spelled}" in base.name else ""
     return f"{base.repository}:{main_tag(distribution, component, stack)}{versions}{day[0] if day else ''}"
 
 
 def differing(base: Base, other: Base) -> list[str]:
-    """The labels that differ between two of our images: versions, systems, days."""
-    of_image = {f"{PREFIX}{name}" for name in ("component", "runtime", "app")}
+    """The labels that differ between two of our images: versions, systems, days. A slim image gets the environments of the other."""
+    of_image = {ENVIRONMENTS, *(f"{PREFIX}{name}" for name in ("component", "runtime", "app"))}
     names = {name for name in {**base.labels, **other.labels} if name.startswith(PREFIX)} - of_image
     return sorted(name.removeprefix(PREFIX) for name in names if base.labels.get(name) != other.labels.get(name))
 

@@ -14,7 +14,7 @@ from rosml.containerize.build import adopt
 from rosml.containerize.build.call import Call
 from rosml.containerize.lock import Lock
 from rosml.containerize.names import SLIM
-from rosml.images.image_set.labels import PREFIX
+from rosml.images.image_set.labels import ENVIRONMENTS, PREFIX
 from rosml.images.matrix import support
 
 
@@ -72,10 +72,12 @@ def find_slim(call: Call, base: Base, followed_lock: Lock | None) -> Base | None
     return None
 
 
-def with_addons(call: Call, base: Base, followed_lock: Lock | None) -> Base:
+def with_addons(call: Call, base: Base, followed_lock: Lock | None, main: Base | None = None) -> Base:
+    """A base image with the add-ons and environments of a call. That of a slim image also gets the environments of the `main` one."""
     digests = followed_lock.addons or {} if followed_lock else None
     values = call.values
-    joined = addons.onto(base, values.addons, call.services, call.names.platforms, digests, values.environments)
+    environments = f"{values.environments} {main.labels.get(ENVIRONMENTS, '') if main else ''}"
+    joined = addons.onto(base, values.addons, call.services, call.names.platforms, digests, environments)
     if joined.addons:
         call.say(f"{base.name} with {', '.join(name.rpartition('/')[2] for name in joined.addons.parts)}")
     return joined

@@ -23,7 +23,7 @@ from rosml.containerize.lock import Lock
 from rosml.containerize.names import SLIM
 from rosml.containerize.packages import manifest, workspace
 from rosml.images.image_set import restricted
-from rosml.images.image_set.labels import PREFIX
+from rosml.images.image_set.labels import ENVIRONMENTS, PREFIX
 from rosml.images.matrix import lacks
 from rosml.registry import references
 from rosml.registry.client import Registries
@@ -48,7 +48,8 @@ def require_same_addons(followed_lock: Lock | None, values: Values, base: Base, 
     if followed_lock is None:
         return
     locked_parts, parts = followed_lock.addons or {}, bases.parts(base, slim)
-    may_have_more = (values.addons or values.environments) and followed_lock.slim_base_image and slim is None
+    has_some = values.addons or values.environments or base.labels.get(ENVIRONMENTS)
+    may_have_more = has_some and followed_lock.slim_base_image and slim is None
     if parts.keys() - locked_parts.keys() or not (may_have_more or parts.keys() == locked_parts.keys()):
         text = f"the lock file is of {some(locked_parts) or 'no parts'}, and not of {some(parts) or 'none'}"
         raise RosmlError(text, lock.RENEW, exit_code=2)

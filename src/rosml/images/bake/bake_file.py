@@ -13,7 +13,7 @@ from itertools import groupby
 
 from rosml.images.bake import targets
 from rosml.images.bake.hcl import Code, aligned, block, literal, text
-from rosml.images.bake.targets import Context, Dependency, Overridable, Target, Value
+from rosml.images.bake.targets import Context, Dependency, Locks, Overridable, Target, Value
 from rosml.images.image_set.model import Image, ImageSet
 from rosml.images.matrix import names
 from rosml.images.matrix.model import Matrix
@@ -35,7 +35,7 @@ def render(image_set: ImageSet, all_targets: Mapping[str, Target] | None = None)
 def excerpt(image_set: ImageSet, roots: Iterable[str]) -> str:
     """The part of both files that some targets need. It looks at no other image, because a run needs hundreds of excerpts."""
     chosen = {targets.CONTENTS, *roots}
-    images, parts = set[str](), {root.removeprefix(names.part_target("")) for root in chosen}
+    images, parts = set[str](), {part.name for part in image_set.parts if part.target in chosen}
     for root in chosen:
         image = image_set.by_target.get(root) or image_set.by_target.get(root.removesuffix(names.test_target("")))
         while image:
@@ -161,6 +161,8 @@ def _fields(target: Target) -> Fields:
 def _context(context: Context) -> str:
     if isinstance(context, Overridable):
         return context.variable
+    if isinstance(context, Locks):
+        return text(context.folder)
     if not context.name:
         return text(f"target:{context.target}")
     return f"dependency({text(context.name)}, {text(context.repository)}, {text(context.target)})"
@@ -200,7 +202,10 @@ class _Blocks:
     def _families(self) -> None:
         images, parts = self._image_set.images, self._image_set.parts
         self._family("_every", [], [*self._fields])
-        self._family("_files", ["_every"], [names.files_target(part.name) for part in parts])
+        of_stacks = self._image_set.parts_of_stacks
+        self._family("_files", ["_every"], [names.files_target(part.name) for part in of_stacks])
+        environments = [part for part in parts if part not in of_stacks]
+        self._family("_environment", ["_every"], [names.files_target(part.name) for part in environments])
         for part in parts:
             self._above[part.target] = [names.files_target(part.name)]
         self._family("_image", ["_every"], [image.target for image in images])
@@ -253,7 +258,7 @@ class _Blocks:
         both = [[names.files_target(part.name), part.target] for part in self._image_set.parts]
         yield (
             "Parts: the files below /out, and the part as an image of its own",
-            ["_files", *(name for pair in both for name in pair)],
+            ["_files", "_environment", *(name for pair in both for name in pair)],
         )
         joined = [_joined(image) for image in images if image.stack]
         yield "What images with the same framework, stack and Python have in common", [*dict.fromkeys(joined)]
@@ -305,7 +310,8 @@ def _lines(attributes: Mapping[str, str | dict[str, Code]]) -> Iterator[str]:
 def _joined(image: Image) -> str:
     """The abstract target of images with the same framework, add-ons, stack and Python."""
     what = "-".join([image.framework, *image.addons])
-    return f"_{what}-{image.stack}-py{image.python.replace('.', '')}"
+    end = names.environments_end([image.environment])
+    return f"_{what}-{image.stack}-py{image.python.replace('.', '')}{end}"
 
 
 def _by(images: Iterable[Image], of: Callable[[Image], str]) -> dict[str, list[Image]]:

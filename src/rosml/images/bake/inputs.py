@@ -19,7 +19,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.bake import dockerfile, structure, targets
 from rosml.images.bake.structure import StructureTests
-from rosml.images.bake.targets import Dependency, Join, NoInput, Overridable, Value
+from rosml.images.bake.targets import Dependency, Join, Locks, NoInput, Overridable, Value
 from rosml.images.image_set.model import Image, ImageSet, Part
 
 TARGET = "target "
@@ -143,6 +143,8 @@ class Inputs:
         for name, value in self.targets[target].contexts.items():
             if isinstance(value, Dependency):
                 contexts[name] = {TARGET + value.target: self.digest(value.target, architecture)}
+            elif isinstance(value, Locks):
+                contexts[name] = self._source(f"{value.folder}/{architecture}.txt")
             else:
                 contexts[name] = _base_image(_fact(value, f"{target}, context {name}").removeprefix("docker-image://"))
         return contexts

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from rosml.images.image_set import labels, missing_locks
-from rosml.images.image_set.model import PARTS, Image, ImageSet, Part
+from rosml.images.image_set.model import ENVIRONMENTS, PARTS, Environment, Image, ImageSet, Part
 from rosml.images.matrix import combinations, names
 from rosml.images.matrix.model import Matrix
 
@@ -30,6 +30,10 @@ CONTENTS = "contents"
 
 ENVIRONMENT = "environment"
 """The target that builds an environment of Python packages. Its caller names the locks and the arguments."""
+
+
+ENVIRONMENT_LOCKS = "environment-locks"
+"""The context of that target with its locks, one for each architecture."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +71,15 @@ class NoInput:
 Value = str | Overridable | NoInput
 """An argument or label: a fact, or a value that a variable decides. If something else shall decide one, give it its own type here."""
 
-Context = Dependency | Overridable
+
+@dataclass(frozen=True)
+class Locks:
+    """A context: a folder with a lock for each architecture, relative to the project's root."""
+
+    folder: str
+
+
+Context = Dependency | Overridable | Locks
 
 
 @dataclass(frozen=True)
@@ -126,7 +138,7 @@ def _targets(image_set: ImageSet) -> Iterator[tuple[str, Target]]:
             image_arguments = {**arguments, "RUNTIME": "true"} if runtime else arguments
             yield names.os_target(os, runtime), Target("base", {"os": _system(matrix, os)}, image_arguments, platforms)
     for part in image_set.parts:
-        yield from _part(matrix, part)
+        yield from _environment(matrix, part) if isinstance(part, Environment) else _part(matrix, part)
     for image in image_set.images:
         yield image.target, _joined(image_set, image) if image.stack else _ros(image_set, image)
         contexts: dict[str, Context] = {"os": _system(matrix, assembler), "image": _dependency(image)}
@@ -221,10 +233,13 @@ def unlocked(image: Image) -> str:
 def _joined(image_set: ImageSet, image: Image) -> Target:
     """An image with a framework: parts joined to a ROS image."""
     matrix = image_set.matrix
-    parts = {image_set.part_by_name[name].kind: name for name in image.parts}
+    parts = {part.kind: part for part in map(image_set.part_by_name.__getitem__, image.parts)}
     contexts: dict[str, Context] = {"ros": _dependency(image_set.by_target[image.parent])}
-    contexts |= {f"part-{part}": Dependency(names.files_target(name), name, PARTS) for part, name in parts.items()}
-    roots = {root_variable(part): NoInput("root", name) for part, name in parts.items()}
+    contexts |= {
+        f"part-{kind}": Dependency(names.files_target(part.name), part.name, part.repository)
+        for kind, part in parts.items()
+    }
+    roots = {root_variable(kind): NoInput("root", part.name) for kind, part in parts.items()}
     join = Join(tuple(parts), labels.environment(image.brought))
     arguments = {**_common(), **roots}
     return Target("", contexts, arguments, image.platforms, image.tags, _labels(matrix, image), unlocked(image), join)
@@ -269,6 +284,9 @@ def _labels(matrix: Matrix, image: Image) -> dict[str, Value]:
         labels_of_image[labels.RMW] = distribution.usual_rmw
     if distribution.experimental:
         labels_of_image[f"{labels.PREFIX}experimental"] = "true"
+    if image.environment:
+        facts = {name: text for name, text in labels_of_image.items() if isinstance(text, str)}
+        labels_of_image |= labels.with_environments(facts, (), (image.environment,))
     return labels_of_image
 
 
@@ -311,6 +329,19 @@ def _part(matrix: Matrix, part: Part) -> Iterator[tuple[str, Target]]:
     yield part.target, Target("part", contexts, arguments, part.platforms, tags, part_labels)
 
 
+def _environment(matrix: Matrix, part: Environment) -> Iterator[tuple[str, Target]]:
+    """An environment's files below /out, and the environment as an image of its own. `rosml env build` builds it by the same stages."""
+    folder = names.environment_locks(part.environment, part.python)
+    contexts: dict[str, Context] = {"os": _system(matrix, part.os), ENVIRONMENT_LOCKS: Locks(folder)}
+    arguments: dict[str, Value] = {**_common(), "ENVIRONMENT": part.environment, "PYTHON": part.python}
+    if part.glibc:
+        arguments["GLIBC"] = str(part.glibc)
+    own_labels = labels.of_environment(part.environment, part.python, part.takes)
+    yield names.files_target(part.name), Target("environment-files", contexts, arguments, part.platforms)
+    tags = (f"{ENVIRONMENTS}:{part.tag}",)
+    yield part.target, Target(ENVIRONMENT, contexts, arguments, part.platforms, tags, own_labels)
+
+
 def _expected(image_set: ImageSet, image: Image) -> str:
     """The promises of tags and labels, for the tests in the image, which see `torch` as $EXPECT_TORCH."""
     distribution = image_set.matrix.distributions[image.distribution]
@@ -323,6 +354,8 @@ def _expected(image_set: ImageSet, image: Image) -> str:
     facts = {"os": image.os, "python": image.python, "ros": str(image.ros), "ros_distro": image.ros_distro}
     if distribution.rmw:
         facts["rmw"] = ",".join(distribution.rmw)
+    if image.environment:
+        facts["environment"] = image.environment
     if distribution.wheels:
         facts["wheels"] = wheels(distribution.wheels)
     if families := image_set.matrix.families:

@@ -21,7 +21,7 @@ from rosml.images.builds.part import PartBuilder
 from rosml.images.builds.push import Push, push, push_together, write_excerpt
 from rosml.images.builds.variables import base, sync_dates, variables
 from rosml.images.image_set import missing_locks
-from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
+from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.image_set.restricted import Declared
 from rosml.images.join.joiner import Joiner
 from rosml.machine import buildx
@@ -160,7 +160,7 @@ class BuildKitMaker:
             return
         self._pushed |= {key: (start, digests[it.call.target]) for key, (start, it) in pushes.items()}
         things = {request.key: request.thing for request in requests}
-        images = [(self.place.path(repository_of(things[key])), self._pushed[key][1]) for key in pushes]
+        images = [(self.place.path(things[key].repository), self._pushed[key][1]) for key in pushes]
         with suppress(RosmlError):  # `_describe` tries each alone, and says why it fails
             self._sboms |= contents.attach(self.services, self.image_set, self.place.client, images, self.say)
 
@@ -180,7 +180,7 @@ class BuildKitMaker:
             builder = PartBuilder(self.services, self.image_set, str(self.place), self.say, self.force)
             assembler, call = builder.bake(request.thing, [self._platform(request.architecture)])
             start = assembler.reference
-        repository = self.place.reference(repository_of(request.thing))
+        repository = self.place.reference(request.thing.repository)
         return start, Push(call, repository, self.image_set.matrix.compression)
 
     def _call_of_image(self, image: Image, request: BuildRequest) -> tuple[str, buildx.Bake]:
@@ -275,7 +275,7 @@ class BuildKitMaker:
     def _repositories(self) -> dict[str, str]:
         """By target, without the prefix."""
         things: list[Image | Part] = [*self.image_set.images, *self.image_set.parts]
-        return {thing.target: repository_of(thing) for thing in things}
+        return {thing.target: thing.repository for thing in things}
 
     def _platform(self, architecture: str) -> str:
         return self.image_set.matrix.architectures[architecture].platform
@@ -288,7 +288,7 @@ class BuildKitMaker:
     def _describe(self, thing: Image | Part, digest: str) -> str:
         if sbom := self._sboms.pop(digest, ""):
             return sbom
-        image = self.place.path(repository_of(thing)), digest
+        image = self.place.path(thing.repository), digest
         return contents.attach(self.services, self.image_set, self.place.client, [image], self.say)[digest]
 
     def _changes_with(self, image: Image, packages: str) -> Path:

@@ -47,7 +47,7 @@ class BuiltPart:
 
 def by_name(image_set: ImageSet, name: str) -> Part:
     """The part with a name or bake target; exit code 2 if there is none."""
-    part = image_set.part_by_name.get(name.removeprefix("part-"))
+    part = next((part for part in image_set.parts if name in (part.name, part.target)), None)
     if part is None:
         text = unknown("part", name, image_set.part_by_name)
         raise RosmlError(text, "see all with: rosml part", exit_code=2)
@@ -56,7 +56,7 @@ def by_name(image_set: ImageSet, name: str) -> Part:
 
 @dataclass(frozen=True)
 class PartBuilder:
-    """Builds parts into the repository `part` of a registry."""
+    """Builds parts into a registry, each into its repository."""
 
     services: Services
     image_set: ImageSet
@@ -64,22 +64,22 @@ class PartBuilder:
     say: Callable[[str], None]
     again: bool = False  # build without the builder's cache. The same inputs give the same digests
 
-    @property
-    def _place(self) -> Reference:
-        return references.parse(f"{self.prefix}/part")
+    def _place(self, part: Part) -> Reference:
+        return references.parse(f"{self.prefix}/{part.repository}")
 
     def publish(self, part: Part, platform: str = "") -> BuiltPart:
         """Builds a part for one platform, or all whose lock is up to date. Moves its tag if these are all that it has."""
         started = time.monotonic()
         platforms = _platforms(part, platform)
         base, call = self.bake(part, platforms)
-        digest = push(self.services, Push(call, f"{self.prefix}/part", self.image_set.matrix.compression))
-        reference = f"{self.prefix}/part@{digest}"
+        repository = f"{self.prefix}/{part.repository}"
+        digest = push(self.services, Push(call, repository, self.image_set.matrix.compression))
+        reference, path = f"{repository}@{digest}", self._place(part).repository
         with Registry(self.services.registry, ca_bundle=self.services.ca_bundle) as client:
-            layers = dict(_layers(client, self._place.repository, digest, platforms))
+            layers = dict(_layers(client, path, digest, platforms))
             if len(platforms) == len(part.platforms):  # a tag is for all platforms
-                client.tag(self._place.repository, digest, part.name)
-                reference = f"{self.prefix}/part:{part.name}@{digest}"
+                client.tag(path, digest, part.tag)
+                reference = f"{repository}:{part.tag}@{digest}"
         python = base.python if part.python != ANY_PYTHON else ""
         seconds = time.monotonic() - started
         return BuiltPart(part.name, reference, digest, layers, _built_on(part, base), python, seconds)
@@ -87,8 +87,8 @@ class PartBuilder:
     def bake(self, part: Part, platforms: Sequence[str]) -> tuple[base_images.Assembler, buildx.Bake]:
         """The image that a part is built on, and the call that builds it, if it is not restricted or may go there."""
         kinds = restricted.of(self.image_set.matrix, [part.kind])
-        declared = Declared.of(self.image_set.matrix)
-        if notice := restricted.require(kinds, part.name, self._place.host, self._place.repository, declared):
+        declared, place = Declared.of(self.image_set.matrix), self._place(part)
+        if notice := restricted.require(kinds, part.name, place.host, place.repository, declared):
             self.say(notice)
         base = base_images.assembler(self.services, self.image_set.matrix.operating_systems, part.os, part.python)
         file = write_excerpt(self.services, self.image_set, part.target)

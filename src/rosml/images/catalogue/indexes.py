@@ -15,7 +15,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.images.catalogue.model import SIGNER, Move, Sbom
 from rosml.images.image_set.labels import COVERED
-from rosml.images.image_set.model import Image, Part, repository_of, tags_of
+from rosml.images.image_set.model import Image, Part, tags_of
 from rosml.images.matrix.tags import DATED
 from rosml.images.records import tag_moves
 from rosml.images.records.store import INDEX, Entry, Records, date_of
@@ -79,31 +79,31 @@ class Reader:
         self._entries = {entry.digest: entry for entry in entries.values() if entry.digest}
         tags = self._tags(things)
         moves = self._moves()
-        moves_of = {thing.target: moves.get((repository_of(thing), tags_of(thing)[0]), []) for thing in things}
+        moves_of = {thing.target: moves.get((thing.repository, tags_of(thing)[0]), []) for thing in things}
         digests: dict[str, list[str]] = {}
         for thing in things:
             entry = entries.get((thing.target, INDEX))
             moved = [digest for move in moves_of[thing.target] for digest in (move.new, move.previous)]
             former = [*tags[thing.target].values(), *moved, *(entry.superseded if entry else ())]
             digests[thing.target] = list(dict.fromkeys(filter(None, former)))
-        keys = list(dict.fromkeys((repository_of(t), digest) for t in things for digest in digests[t.target]))
+        keys = list(dict.fromkeys((t.repository, digest) for t in things for digest in digests[t.target]))
         indexes = _each(keys, lambda key: self._index(*key), "images")
         histories = {}
         for thing in things:
-            read = [indexes[repository_of(thing), digest] for digest in digests[thing.target]]
+            read = [indexes[thing.repository, digest] for digest in digests[thing.target]]
             kept = self._kept(tags_of(thing)[0], tags[thing.target], [index for index in read if index])
             histories[thing.target] = History(tags[thing.target], moves_of[thing.target], kept)
         return histories
 
     def _tags(self, things: Sequence[Thing]) -> dict[str, dict[str, str]]:
         """The tags of images with their digests, by target: those of the matrix, and dated ones of the main tag."""
-        repositories = dict.fromkeys(repository_of(thing) for thing in things)
+        repositories = dict.fromkeys(thing.repository for thing in things)
         names = _each(repositories, lambda name: _by_undated(self._client.tags(self._place.path(name))), "tags")
-        tags = {thing.target: _present_tags(thing, names[repository_of(thing)]) for thing in things}
-        keys = [(repository_of(thing), tag) for thing in things for tag in tags[thing.target]]
+        tags = {thing.target: _present_tags(thing, names[thing.repository]) for thing in things}
+        keys = [(thing.repository, tag) for thing in things for tag in tags[thing.target]]
         digests = _each(keys, lambda key: self._client.head(self._place.path(key[0]), key[1]), "digests")
         return {
-            thing.target: {tag: digest for tag in tags[thing.target] if (digest := digests[repository_of(thing), tag])}
+            thing.target: {tag: digest for tag in tags[thing.target] if (digest := digests[thing.repository, tag])}
             for thing in things
         }
 

@@ -26,7 +26,7 @@ from rosml.images.catalogue.model import (
 )
 from rosml.images.image_set import addons, search
 from rosml.images.image_set import model as sets
-from rosml.images.image_set.model import repository_of, tags_of
+from rosml.images.image_set.model import tags_of
 from rosml.images.image_set.selection import select
 from rosml.images.matrix import combinations, support
 from rosml.images.matrix.names import our_words
@@ -169,7 +169,7 @@ def _tagged(thing: Thing, history: History, table: LayerTable) -> dict[str, Any]
         for index in history.indexes
     ]
     return {
-        "repository": repository_of(thing),
+        "repository": thing.repository,
         "tags": tuple(tags),
         "builds": tuple(builds),
         "moves": tuple(history.moves),

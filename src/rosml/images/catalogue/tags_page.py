@@ -63,6 +63,10 @@ def tables(image_set: ImageSet) -> str:
         text = "[Add-ons](addons.md) go onto any image of their stacks, also onto one that has no tag with them:"
         head = _head("add-on", "brings", "stacks", "Python", "platforms", "goes to")
         lines += ["", text, "", *head, *_addons(image_set)]
+    if image_set.matrix.environments:
+        text = "[Environments](environments.md) are Python packages beside ROS. These images have one; `rosml join` and `rosml containerize` add one to others:"
+        head = _head("environment", "image", "platforms")
+        lines += ["", text, "", *head, *_environments(image_set)]
     return "\n".join(lines) + "\n"
 
 
@@ -96,7 +100,7 @@ def _distributions(image_set: ImageSet) -> Iterator[str]:
 def _contents(image_set: ImageSet) -> Iterator[str]:
     rows: dict[tuple[str, str | None], list[Image]] = {}
     for image in image_set.images:
-        if image.tags:
+        if image.tags and not image.environment:
             rows.setdefault((image.repository, image.stack), []).append(image)
     for images in rows.values():
         first = images[0]
@@ -121,6 +125,13 @@ def _addons(image_set: ImageSet) -> Iterator[str]:
             rows.setdefault(key, []).append(f"`{it.stack}`")
         for (brings, python, on), stacks in rows.items():
             yield _row(f"`{addon}`", brings, ", ".join(stacks), python, on, where)
+
+
+def _environments(image_set: ImageSet) -> Iterator[str]:
+    for image in image_set.images:
+        if image.environment:
+            note = "" if image.locked else " (no lock yet)"
+            yield _row(f"`{image.environment}`", f"`{image.tags[0]}`{note}", ", ".join(image.platforms))
 
 
 def _content(image_set: ImageSet, image: Image) -> str:

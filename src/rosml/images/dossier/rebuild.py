@@ -18,6 +18,7 @@ from rosml.images.image_set.labels import (
     SOURCE,
     TITLE,
 )
+from rosml.images.matrix.names import environments_end
 
 DISTRIBUTION = f"{PREFIX}distribution"
 
@@ -57,8 +58,9 @@ def of(labels: Mapping[str, str], has_lock: bool, commit: str = "") -> Rebuild:
         commands.append(f"./rosml env build {environment}")
         notes = ["with its locks, which are in the folder environments"]
     elif title:
-        commands.append(f"./rosml image {title}")
-        if environments := " ".join(f"env:{name}" for name in map(_word, labels.get(ENVIRONMENTS, "").split()) if name):
+        names = [name for name in map(_word, labels.get(ENVIRONMENTS, "").split()) if name]
+        commands.append(f"./rosml image {title.removesuffix(environments_end(names))}")
+        if environments := " ".join(f"env:{name}" for name in names):
             notes.insert(0, f"its environments come afterwards: rosml join IMAGE {environments} --tag REFERENCE")
     return Rebuild(tuple(commands), tuple(notes))
 

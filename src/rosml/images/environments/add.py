@@ -20,6 +20,7 @@ from rosml.images.locks.index import Index, WheelTarget
 from rosml.images.locks.installs import GLIBC
 from rosml.images.locks.uv import Uv, with_glibc
 from rosml.images.matrix.model import Matrix
+from rosml.images.matrix.names import environments_end, lock_architecture
 
 
 class Sized(NamedTuple):
@@ -99,7 +100,10 @@ def with_images(declaration: Declaration, targets: Iterable[str], image_set: Ima
 def _image(image_set: ImageSet, target: str) -> Image:
     if target not in image_set.by_target:
         raise RosmlError(f"there is no image {target}", "see all with: rosml list", exit_code=2)
-    return image_set.by_target[target]
+    if environment := (image := image_set.by_target[target]).environment:
+        plain = target.removesuffix(environments_end([environment]))
+        raise RosmlError(f"{target} has the environment {environment} already", f"name {plain}", exit_code=2)
+    return image
 
 
 def provider_of(matrix: Matrix, image: Image, architecture: str) -> Provider:
@@ -108,7 +112,7 @@ def provider_of(matrix: Matrix, image: Image, architecture: str) -> Provider:
 
     packages = dict[str, str]()
     for path in image.locks:
-        if path.split("/")[2] == architecture:
+        if lock_architecture(path) == architecture:
             packages |= lock_file.versions(files.text(ROOT / path))
     releases = {lock_file.package_name(item) for item in matrix.families}
     glibc = GLIBC[image.os]
@@ -133,7 +137,7 @@ def _fitting(declaration: Declaration, image_set: ImageSet, image: Image, provid
     """The same image of other stacks with releases that fit, in words: `ros1-bookworm-core-torch-cu128 has torch 2.10.0`."""
 
     def content(item: Image) -> tuple[object, ...]:
-        return item.distribution, item.component, item.framework, item.addons
+        return item.distribution, item.component, item.framework, item.addons, item.environment
 
     for other in image_set.images:
         if other.locked and content(other) == content(image) and provider.architecture in other.architectures:

@@ -12,7 +12,7 @@ from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
 from rosml.images.bake import bake_file, hcl
-from rosml.images.bake.targets import ENVIRONMENT
+from rosml.images.bake.targets import ENVIRONMENT, ENVIRONMENT_LOCKS
 from rosml.images.builds import base_images, contents
 from rosml.images.builds.push import Push, push
 from rosml.images.environments import lock as locks
@@ -20,7 +20,6 @@ from rosml.images.environments.declaration import FILE
 from rosml.images.environments.lock import Lock
 from rosml.images.image_set import labels
 from rosml.images.image_set.model import ENVIRONMENTS, ImageSet
-from rosml.images.join.environments import FOLDER
 from rosml.images.matrix import names
 from rosml.machine import buildx
 from rosml.machine.services import Services
@@ -109,7 +108,7 @@ def _bake(services: Services, image_set: ImageSet, every: Sequence[Lock], folder
     attributes = {
         "inherits": [ENVIRONMENT],
         "platforms": _platforms(image_set, every),
-        "contexts": {"environment-locks": str(folder), "os": f"docker-image://{base.reference}"},
+        "contexts": {ENVIRONMENT_LOCKS: str(folder), "os": f"docker-image://{base.reference}"},
         "args": {"ENVIRONMENT": first.name, "PYTHON": first.python, "GLIBC": str(first.glibc)},
         "labels": labels_of(every),
     }
@@ -120,16 +119,10 @@ def _bake(services: Services, image_set: ImageSet, every: Sequence[Lock], folder
 
 
 def labels_of(every: Sequence[Lock]) -> dict[str, str]:
-    """What a join has to know. An image for several architectures takes the same releases for all."""
+    """The labels of an environment. An image for several architectures takes the same releases for all."""
     first = every[0]
     taken = [{*item.releases.items()} for item in every]
     if any(other != taken[0] for other in taken):
         text = f"environment {first.name} takes other releases for each architecture"
         raise RosmlError(text, "pin their versions in environment.toml", exit_code=2)
-    return {
-        labels.TITLE: f"{ENVIRONMENTS}:{names.environment_name(first.name, first.python)}",
-        labels.DESCRIPTION: f"environment {first.name} below {FOLDER}, for Python {first.python}",
-        labels.ENVIRONMENT: first.name,
-        f"{labels.PREFIX}python": first.python,
-        labels.TAKES: " ".join(f"{name}={version}" for name, version in sorted(first.releases.items())),
-    }
+    return labels.of_environment(first.name, first.python, first.releases)

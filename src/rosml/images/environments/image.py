@@ -15,6 +15,7 @@ from rosml.images.image_set.model import Image, ImageSet, tags_of
 from rosml.images.join import short_names
 from rosml.images.join.environments import AGAIN, misfit
 from rosml.images.join.joiner import Joiner, JoinReport
+from rosml.images.matrix.names import environments_end
 from rosml.images.scan import together
 from rosml.machine.services import Services
 from rosml.registry import references
@@ -30,17 +31,12 @@ def read(image: Image, names: Iterable[str], folder: Path, architectures: Iterab
     for name, locks in every.items():
         if reason := misfit(build.labels_of(locks), labels, image.target):
             raise RosmlError(reason, AGAIN.format(name, image.target), exit_code=2)
-    if len(tags_of(image)[0]) + len(_end(every)) > references.LONGEST_TAG:
+    if len(tags_of(image)[0]) + len(environments_end(every)) > references.LONGEST_TAG:
         text = f"a tag has at most {references.LONGEST_TAG} characters, and that of {image.target} with {listed([*every])} has more"
         raise RosmlError(
             text, "name fewer, and join the others: rosml join IMAGE env:NAME --tag REFERENCE", exit_code=2
         )
     return every
-
-
-def _end(names: Iterable[str]) -> str:
-    """What the tag of an image with environments has at its end. No name has `_`, so other environments have another tag."""
-    return f"-env-{'_'.join(sorted(names))}"
 
 
 def join(
@@ -57,4 +53,4 @@ def join(
         Registries(services.ca_bundle) as registries,
         Joiner(registries, say=say, describe=partial(together.attach, registries, say)) as joiner,
     ):
-        return joiner.join(reference, built, f"{reference}{_end(every)}")
+        return joiner.join(reference, built, f"{reference}{environments_end(every)}")

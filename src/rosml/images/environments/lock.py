@@ -6,7 +6,6 @@ others are resolved anew, so numpy may be another one than ROS's.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,23 +13,11 @@ from pathlib import Path
 from rosml.base import files
 from rosml.base.errors import RosmlError
 from rosml.images.environments.declaration import Declaration
-from rosml.images.image_set.lock_file import package_name
+from rosml.images.image_set.lock_file import EnvironmentHead, environment_head, package_name
 from rosml.images.join.label_claims import LONGEST
 from rosml.images.locks import resolve
 from rosml.images.locks.resolve import Pin
 from rosml.images.locks.uv import Uv, compile_command
-from rosml.images.matrix.patterns import NAME, PYTHON
-
-_PIN = r"[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+"
-
-_WHOLE = re.compile(
-    rf"# Environment '(?P<name>{NAME.strip('^$')})', Python (?P<python>{PYTHON.strip('^$')}), (?P<architecture>[a-z0-9]+), glibc 2\.(?P<glibc>[1-9][0-9])\.\n"
-    r"# Made by 'rosml env add' from environment\.toml; do not edit\.\n"
-    rf"# releases:(?P<releases>( {_PIN})*)\n"
-    rf"# takes:(?P<takes>( {_PIN})*)\n"
-    rf"({_PIN}( \\\n    --hash=sha256:[0-9a-f]{{64}})+\n)*"
-)
-"""A complete lock. Any other text was cut or edited."""
 
 
 @dataclass(frozen=True)
@@ -56,16 +43,10 @@ class Provider:
 
 
 @dataclass(frozen=True)
-class Lock:
-    """What an environment has for an architecture. `takes` are the image's packages that it uses, with their versions."""
+class Lock(EnvironmentHead):
+    """What an environment has for an architecture."""
 
-    name: str
-    python: str
-    architecture: str
-    glibc: int
-    takes: Mapping[str, str]
-    releases: Mapping[str, str]  # those of `takes` that images are named by, such as torch
-    pins: tuple[Pin, ...]
+    pins: tuple[Pin, ...] = ()
 
     def __str__(self) -> str:
         """Its text, which has no date, no image and no index: the same resolution gives the same bytes."""
@@ -102,14 +83,12 @@ def read(file: Path) -> Lock:
 
 def parse(text: str) -> Lock | None:
     """The lock of a text; None if rosml did not write it so: each package is there once, and releases are among what it takes."""
-    whole = _WHOLE.fullmatch(text)
-    if not whole or len(whole["name"]) > LONGEST:
+    head = environment_head(text)
+    if not head or len(head.name) > LONGEST:
         return None
-    releases, takes = (dict(item.split("==", 1) for item in whole[kind].split()) for kind in ("releases", "takes"))
-    place = whole["name"], whole["python"], whole["architecture"], int(whole["glibc"])
-    lock = Lock(*place, takes, releases, tuple(resolve.parse(text)))
-    packages = [package_name(name) for name in (*takes, *(pin.name for pin in lock.pins))]
-    is_ours = str(lock) == text and len({*packages}) == len(packages) and releases.items() <= takes.items()
+    lock = Lock(**vars(head), pins=tuple(resolve.parse(text)))
+    packages = [package_name(name) for name in (*lock.takes, *(pin.name for pin in lock.pins))]
+    is_ours = str(lock) == text and len({*packages}) == len(packages) and lock.releases.items() <= lock.takes.items()
     return lock if is_ours else None
 
 

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rosml.images.image_set import labels
-from rosml.images.image_set.model import Image, ImageSet, Part, Wheels
+from rosml.images.image_set.model import Environment, Image, ImageSet, Part, Wheels
 from rosml.images.matrix import combinations, names
 from rosml.images.matrix.combinations import Brought
 from rosml.images.matrix.model import ANY_PYTHON, Distribution, Framework, Matrix
@@ -43,6 +43,7 @@ class Kind:
     covering: tuple[str, ...] = ()
     short: bool = True
     addon: str = ""
+    environment: str = ""
     gpu: dict[str, str] = field(default_factory=dict)
 
     @property
@@ -52,7 +53,8 @@ class Kind:
 
     def target(self, component: str, framework: str = "") -> str:
         """The target of such an image, or of one with another framework and the same stack."""
-        return names.image_target(self.distribution, component, framework or self.framework, self.stack, self.addons)
+        target = names.image_target(self.distribution, component, framework or self.framework, self.stack, self.addons)
+        return target + names.environments_end([self.environment])
 
     @cached_property
     def part_names(self) -> tuple[str, ...]:
@@ -81,6 +83,17 @@ class Place:
 
 def places(matrix: Matrix) -> Iterator[Place]:
     """The places of all images, in their order."""
+    every = {place.target: place for place in _without_environments(matrix)}
+    yield from every.values()
+    for name, entry in matrix.environments.items():
+        for place in (every[target] for target in entry.images if target in every):
+            kind = _with_environment(matrix, name, place.kind)
+            if kind and place.tags:
+                end = names.environments_end([name])
+                yield Place(kind, place.component, tuple(f"{tag}{end}" for tag in place.tags))
+
+
+def _without_environments(matrix: Matrix) -> Iterator[Place]:
     latest = latest_distribution(matrix)
     for name, distribution in matrix.distributions.items():
         for framework, facts in matrix.frameworks.items():
@@ -174,8 +187,19 @@ def _kind(matrix: Matrix, name: str, framework: str, stack: str | None, addon: s
         tuple(covering),
         short,
         addon,
-        combinations.gpu(matrix, stack, kinds),
+        gpu=combinations.gpu(matrix, stack, kinds),
     )
+
+
+def _with_environment(matrix: Matrix, environment: str, kind: Kind) -> Kind | None:
+    """The facts of images with an environment; None if they have no stack, or it has locks for none of their architectures."""
+    architectures = tuple(it for it in kind.architectures if it in matrix.environments[environment].architectures)
+    if not architectures or not kind.stack:
+        return None
+    python = matrix.operating_systems[matrix.distributions[kind.distribution].os].python
+    part = _environment(matrix, environment, python, architectures)
+    parts = (*kind.parts, part)
+    return replace(kind, architectures=architectures, platforms=part.platforms, parts=parts, environment=environment)
 
 
 def _image(matrix: Matrix, place: Place) -> Image:
@@ -185,11 +209,17 @@ def _image(matrix: Matrix, place: Place) -> Image:
     ros_image = names.image_target(name, component)
     runtime = combinations.only_runs(matrix, component)
     below = names.image_target(name, chain[-2]) if len(chain) > 1 else names.os_target(distribution.os, runtime)
-    groups = [name, component, kind.addon or kind.framework, *([kind.stack] if kind.stack else []), "all"]
+    groups = [
+        name,
+        component,
+        kind.environment or kind.addon or kind.framework,
+        *([kind.stack] if kind.stack else []),
+        "all",
+    ]
     tests = _tests(matrix, name, component, kind)
     carries = tests.carriers[:1] == (target,)
     wheels = _wheels_of(matrix, name, kind.architectures)
-    tagged = bool(place.tags)
+    tagged, end = bool(place.tags), names.environments_end([kind.environment])
     return Image(
         target=target,
         distribution=name,
@@ -225,16 +255,18 @@ def _image(matrix: Matrix, place: Place) -> Image:
         budget=matrix.disk.budgets.get(kind.stack or "", {}).get(kind.addon or kind.framework),
         budgeted=_budgeted(matrix, kind),
         addons=kind.addons,
-        combination="-".join([kind.framework, *kind.addons]).removeprefix(f"{names.NONE}-"),
+        combination="-".join([kind.framework, *kind.addons]).removeprefix(f"{names.NONE}-") + end,
+        environment=kind.environment,
     )
 
 
 def _budgeted(matrix: Matrix, kind: Kind) -> tuple[str, ...]:
     """The parts that a budget counts. What frameworks have is in theirs, so that the one of an add-on holds beside any of them."""
-    if not kind.addon or not kind.stack:
-        return kind.part_names
-    others = {part for parts in combinations.frameworks(matrix, kind.stack).values() for part in parts}
-    return tuple(part.name for part in kind.parts if part.kind not in others)
+    parts = [part for part in kind.parts if not isinstance(part, Environment)]
+    others = set[str]()
+    if kind.addon and kind.stack:
+        others = {part for parts in combinations.frameworks(matrix, kind.stack).values() for part in parts}
+    return tuple(part.name for part in parts if part.kind not in others)
 
 
 @dataclass(frozen=True)
@@ -264,6 +296,13 @@ def carriers(matrix: Matrix, place: Place) -> tuple[str, ...]:
 
 def _tests(matrix: Matrix, name: str, component: str, kind: Kind) -> _Tests:
     distribution = matrix.distributions[name]
+    if kind.environment:  # it changes nothing of the image without it, whose tests count for the rest
+        parts = tuple(part for part in kind.parts if not isinstance(part, Environment))
+        plain = replace(kind, environment="", parts=parts)
+        beside = ("contract", "environment", *matrix.environments[kind.environment].tests)
+        tests = _tests(matrix, name, component, plain)
+        others = (test for test in (*tests.of_image, *tests.carried) if test not in beside)
+        return _Tests(beside, tests.below, tuple(others), (plain.target(component),))
     ros, runtime = f"ros{distribution.ros}", combinations.only_runs(matrix, component)
     entries = [matrix.part[part.kind] for part in kind.parts]
     of_image = ["contract", "runtime" if runtime else "tools"]
@@ -322,10 +361,7 @@ def _wheels_of(matrix: Matrix, name: str, architectures: tuple[str, ...]) -> tup
 @combinations.remembered
 def _part(matrix: Matrix, kind: str, stack: str, python: str, architectures: tuple[str, ...]) -> Part:
     any_python = matrix.part[kind].any_python
-    pythons = _pythons(matrix, kind, stack) if any_python else (python,)
-    fitting = sorted(name for name, system in matrix.operating_systems.items() if system.python in pythons)
-    assembler = matrix.default.assembler
-    os = assembler if assembler in fitting or not fitting else fitting[0]
+    os = _system(matrix, _pythons(matrix, kind, stack) if any_python else (python,))
     if any_python:
         python = ANY_PYTHON
     return Part(
@@ -338,6 +374,29 @@ def _part(matrix: Matrix, kind: str, stack: str, python: str, architectures: tup
         platforms=tuple(matrix.architectures[architecture].platform for architecture in architectures),
         locks=tuple(names.lock_path(stack, architecture, python, kind) for architecture in architectures),
         disk=matrix.disk.parts[stack][kind],
+    )
+
+
+def _system(matrix: Matrix, pythons: Iterable[str]) -> str:
+    """The operating system with one of these Pythons on which a part is built; the assembler if none has."""
+    fitting = sorted(name for name, system in matrix.operating_systems.items() if system.python in pythons)
+    assembler = matrix.default.assembler
+    return assembler if assembler in fitting or not fitting else fitting[0]
+
+
+def _environment(matrix: Matrix, name: str, python: str, architectures: tuple[str, ...]) -> Environment:
+    folder = names.environment_locks(name, python)
+    return Environment(
+        name=names.environment_part(name, python),
+        kind=f"env-{name}",
+        stack="",
+        python=python,
+        os=_system(matrix, (python,)),
+        architectures=architectures,
+        platforms=tuple(matrix.architectures[architecture].platform for architecture in architectures),
+        locks=tuple(f"{folder}/{architecture}.txt" for architecture in architectures),
+        disk=matrix.environments[name].disk,
+        environment=name,
     )
 
 
@@ -354,10 +413,18 @@ def parts_of(matrix: Matrix, images: Iterable[Place]) -> tuple[Part, ...]:
         python = matrix.operating_systems[matrix.distributions[kind.distribution].os].python
         by_stack.setdefault((kind.stack, python), []).append(kind)
     needed_parts: dict[tuple[str, str, str], set[str]] = {}
+    environments: dict[tuple[str, str], set[str]] = {}
     for kind in (kind for kinds in by_stack.values() for kind in kinds):
         for part in kind.parts:
-            needed_parts.setdefault((part.kind, part.stack, part.python), set()).update(kind.architectures)
-    return tuple(
-        _part(matrix, *key, tuple(name for name in matrix.architectures if name in architectures))
-        for key, architectures in needed_parts.items()
+            if isinstance(part, Environment):
+                environments.setdefault((part.environment, part.python), set()).update(kind.architectures)
+            else:
+                needed_parts.setdefault((part.kind, part.stack, part.python), set()).update(kind.architectures)
+
+    def ordered(architectures: set[str]) -> tuple[str, ...]:
+        return tuple(name for name in matrix.architectures if name in architectures)
+
+    return (
+        *(_part(matrix, *key, ordered(needed)) for key, needed in needed_parts.items()),
+        *(_environment(matrix, *key, ordered(needed)) for key, needed in environments.items()),
     )

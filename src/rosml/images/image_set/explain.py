@@ -13,7 +13,8 @@ from rosml.base import clock
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some, unknown
 from rosml.images.image_set import addons, apt_repository, missing_locks, search
-from rosml.images.image_set.model import Image, ImageSet
+from rosml.images.image_set.labels import ENVIRONMENTS_FOLDER
+from rosml.images.image_set.model import Environment, Image, ImageSet
 from rosml.images.matrix import combinations, lacks, names, support
 from rosml.images.matrix.model import ANY_PYTHON, Matrix
 from rosml.images.matrix.tags import FLOATING, main_tag
@@ -67,9 +68,13 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
     part_tag = re.fullmatch(r"(?:.*/)?part:(.+)", name)
     if addon_image := _addon(image_set.matrix, name):
         return addon_image
-    if part := image_set.part_by_name.get(part_tag[1] if part_tag else name.removeprefix("part-")):
+    by_target = {part.target: part for part in image_set.parts}
+    if part := image_set.part_by_name.get(part_tag[1] if part_tag else name) or by_target.get(name):
         users = sum(part.name in image.parts for image in image_set.images)
-        text = f"{part.name}: {part.kind} of stack {part.stack}, built from {listed(part.locks)}, in {counted(users, 'image')};"
+        of = (
+            f"environment {part.environment}" if isinstance(part, Environment) else f"{part.kind} of stack {part.stack}"
+        )
+        text = f"{part.name}: {of}, built from {listed(part.locks)}, in {counted(users, 'image')};"
         text += f" rosml part {part.name} builds it, and COPY --link adds it to an image"
         return Explained(part.name, True, (text,))
     if part_tag:
@@ -384,6 +389,8 @@ def _facts(matrix: Matrix, image: Image, environ: Mapping[str, str]) -> Iterator
                 yield f"its images have {listed([f'{name}={value}' for name, value in release.environment.items()])}"
         yield f"stack {image.stack} carries {listed([f'{name} {version}' for name, version in image.versions.items()])}"
         yield f"it is {image.parent} joined with {listed(image.parts)}"
+        if image.environment:
+            yield f"environment {image.environment} is below {ENVIRONMENTS_FOLDER}; docs/environments.md says how to use it"
     elif image.wheels:
         yield f"it is {stands_on} with ROS from wheels: {listed(image.wheels)}, and what they need, by {listed(image.locks)}"
     else:

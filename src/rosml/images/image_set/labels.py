@@ -67,6 +67,9 @@ ENVIRONMENT = f"{PREFIX}environment"
 ENVIRONMENTS = f"{PREFIX}environments"
 """The label of an image with the names of its environments."""
 
+ENVIRONMENTS_FOLDER = "/opt/env"
+"""Where images have their environments, each in a folder with its name."""
+
 TAKES = f"{PREFIX}takes"
 """The label of an environment with the releases that it takes from its image: `torch=2.10.0`."""
 
@@ -110,6 +113,29 @@ def about_image(image: ImageKind, brought: Sequence[Brought]) -> dict[str, str]:
         DESCRIPTION: ", ".join([f"ROS {image.ros} {image.component} ({image.distribution})", *carried]),
         VERSION: spelled_tag(main_tag(image.distribution, image.component, image.stack), spelled(brought)),
         f"{PREFIX}component": image.component,
+    }
+
+
+def with_environments(image: Mapping[str, str], present: Iterable[str], environments: Iterable[str]) -> dict[str, str]:
+    """The labels that change if environments are joined to an image with these labels, which has the `present` ones. An app keeps its names."""
+    before, added = [*present], sorted(environments)
+    changed = {ENVIRONMENTS: " ".join(sorted([*before, *added]))}
+    if not image.get(APP):
+        earlier, end = names.environments_end(before), names.environments_end([*before, *added])
+        changed |= {name: image[name].removesuffix(earlier) + end for name in (TITLE, VERSION) if name in image}
+    if DESCRIPTION in image:
+        changed[DESCRIPTION] = ", ".join([image[DESCRIPTION], *(f"environment {name}" for name in added)])
+    return changed
+
+
+def of_environment(name: str, python: str, takes: Mapping[str, str]) -> dict[str, str]:
+    """The labels of an environment: what a join has to know. It takes these releases of its image."""
+    return {
+        TITLE: names.environment_part(name, python),
+        DESCRIPTION: f"environment {name} below {ENVIRONMENTS_FOLDER}, for Python {python}",
+        ENVIRONMENT: name,
+        f"{PREFIX}python": python,
+        TAKES: " ".join(f"{release}={version}" for release, version in sorted(takes.items())),
     }
 
 
@@ -250,5 +276,5 @@ def any_python(text: str, part: str) -> bool:
 
 
 def title(thing: Image | Part) -> str:
-    """The title of an image or part, for the label and the annotation."""
+    """The title of an image or part, for the label, the annotation and the SBOMs of joined images."""
     return thing.name if isinstance(thing, Part) else thing.target

@@ -10,7 +10,7 @@ from rosml import ROOT
 from rosml.base.problems import InputError, KeyPath
 from rosml.images.image_set.collisions import collisions
 from rosml.images.image_set.expand import Place, carriers, parts_of, places, with_images
-from rosml.images.image_set.locked import current_locks, unusable_locks, with_locks
+from rosml.images.image_set.locked import current_locks, unusable_locks, with_environments, with_locks
 from rosml.images.image_set.model import ImageSet, Part
 from rosml.images.matrix import extends
 from rosml.images.matrix.model import Matrix
@@ -91,6 +91,7 @@ def _about_the_set(
 
 def _locked(image_set: ImageSet, root: Path, only: Collection[str] | None = None) -> ImageSet:
     """An image set with its locks. `only`: the locks to look at; all if left out."""
+    image_set = with_environments(image_set, root)
     present = current_locks(image_set, root, only)
     return with_locks(image_set, present, unusable_locks(image_set, root, present))
 

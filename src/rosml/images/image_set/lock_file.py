@@ -3,26 +3,61 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 from fnmatch import fnmatchcase
 
-from rosml.images.image_set.model import Part, Wheels
+from rosml.images.image_set.model import Environment, Part, Wheels
 from rosml.images.matrix import names
 from rosml.images.matrix.combinations import remembered
 from rosml.images.matrix.model import Matrix, Release
+from rosml.images.matrix.patterns import NAME, PYTHON
 
 _PIN = re.compile(r"\n([A-Za-z0-9._-]+)==([^\s;\\]+)")
 """A pin at the beginning of a line. A pattern that begins with a plain character finds its places faster than `^`."""
 
+_PINNED = r"[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+"
+
 _WHOLE = re.compile(
     r"((?:#[^\n]*\n)+)"
-    r"(?:[A-Za-z0-9][A-Za-z0-9._-]*==[A-Za-z0-9.+!_-]+(?: \\\n    --hash=sha256:[0-9a-f]{64})+\n)+"
+    rf"(?:{_PINNED}(?: \\\n    --hash=sha256:[0-9a-f]{{64}})+\n)+"
 )
 """A complete lock as `locks/lock.py` writes it: comments, and versions with hashes. Any other text was cut or edited."""
 
 
 NVIDIA_PACKAGES = {"cuda": "cuda-runtime", "cudnn": "cudnn", "nccl": "nccl"}
 """A stack's facts of CUDA, and the packages with these versions, without `nvidia-` and a generation."""
+
+
+_ENVIRONMENT = re.compile(
+    rf"# Environment '(?P<name>{NAME.strip('^$')})', Python (?P<python>{PYTHON.strip('^$')}), (?P<architecture>[a-z0-9]+), glibc 2\.(?P<glibc>[1-9][0-9])\.\n"
+    r"# Made by 'rosml env add' from environment\.toml; do not edit\.\n"
+    rf"# releases:(?P<releases>( {_PINNED})*)\n"
+    rf"# takes:(?P<takes>( {_PINNED})*)\n"
+    rf"({_PINNED}( \\\n    --hash=sha256:[0-9a-f]{{64}})+\n)*"
+)
+"""A complete lock of an environment. Any other text was cut or edited."""
+
+
+@dataclass(frozen=True)
+class EnvironmentHead:
+    """What the lock of an environment begins with. `takes` are the image's packages that it uses, with their versions; `releases` are those
+    of them that images are named by, such as torch."""
+
+    name: str
+    python: str
+    architecture: str
+    glibc: int
+    takes: Mapping[str, str]
+    releases: Mapping[str, str]
+
+
+def environment_head(text: str) -> EnvironmentHead | None:
+    """The head of an environment's lock; None if rosml did not write the text so, to its end."""
+    if not (whole := _ENVIRONMENT.fullmatch(text)):
+        return None
+    takes, releases = (dict(item.split("==", 1) for item in whole[kind].split()) for kind in ("takes", "releases"))
+    return EnvironmentHead(whole["name"], whole["python"], whole["architecture"], int(whole["glibc"]), takes, releases)
 
 
 def versions(text: str) -> dict[str, str]:
@@ -41,6 +76,13 @@ def cuda_packages(cuda: str) -> Iterator[tuple[str, str]]:
     for fact, package in NVIDIA_PACKAGES.items():
         yield fact, f"nvidia-{package}"
         yield fact, f"nvidia-{package}-cu{cuda.split('.')[0]}"
+
+
+def current_environment(text: str, part: Environment, architecture: str) -> bool:
+    """Whether a text is the lock of an environment, and takes what its locks for other architectures take."""
+    head = environment_head(text)
+    same = (part.environment, part.python, architecture, part.glibc, part.takes)
+    return head is not None and (head.name, head.python, head.architecture, head.glibc, head.releases) == same
 
 
 def current(text: str, part: Part, matrix: Matrix, architecture: str) -> bool:

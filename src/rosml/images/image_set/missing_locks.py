@@ -8,6 +8,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed, some
 from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.matrix.model import Matrix
+from rosml.images.matrix.names import ENVIRONMENTS, environments_end, lock_architecture
 
 MAKE_LOCKS = "run 'rosml locks'"
 """The remedy for a lock that needs only the Python package index."""
@@ -20,7 +21,7 @@ RESTORE = f"{MAKE_LOCKS}; if they were there and got lost: git checkout locks"
 
 
 def waiting(matrix: Matrix, parts: Iterable[Part]) -> frozenset[str]:
-    """Locks that need PyTorch's own index: those of releases with wheels `elsewhere` and without a digest for a Python, and those of
+    """Locks of stacks' parts that need PyTorch's own index: those of releases with wheels `elsewhere` and without a digest for a Python, and those of
     packages that only such releases share."""
     by_lock = {
         lock: (part.stack, architecture, part.python, part.kind)
@@ -52,7 +53,7 @@ UNLOCKED = "lock missing"
 
 def on(thing: Image | Part, architecture: str) -> list[str]:
     """The locks that an image or part lacks for an architecture."""
-    return [lock for lock in thing.unlocked if lock.split("/")[2] == architecture]
+    return [lock for lock in thing.unlocked if lock_architecture(lock) == architecture]
 
 
 def hindrance(thing: Image | Part, architecture: str) -> str:
@@ -89,7 +90,15 @@ def _described(locks: Sequence[str], damaged: Collection[str], names: Callable[[
 
 def remedy(image: Image) -> str:
     """The remedy for an image without its locks."""
+    if all(lock.startswith(f"{ENVIRONMENTS}/") for lock in image.unlocked):
+        provider = image.target.removesuffix(environments_end([image.environment]))
+        return f"run 'rosml env add {image.environment} --image {provider}'"
     return MAKE_LOCKS if image.lost else ASK_PYTORCH
+
+
+def way_back(image: Image) -> str:
+    """The remedy for somebody who may have had the locks before."""
+    return RESTORE if remedy(image) == MAKE_LOCKS else remedy(image)
 
 
 def lost(image_set: ImageSet) -> RosmlError | None:
@@ -100,4 +109,5 @@ def lost(image_set: ImageSet) -> RosmlError | None:
     locks = list(dict.fromkeys(lock for image in image_set.images for lock in image.lost))
     damaged = {lock for image in image_set.images for lock in image.damaged}
     cannot = f"{counted(len(images), 'image')} cannot be built ({some(images)})"
-    return RosmlError(f"{cannot}: {_described(locks, damaged, some)}", RESTORE)
+    remedies = (way_back(image) for image in image_set.images if image.lost)
+    return RosmlError(f"{cannot}: {_described(locks, damaged, some)}", "; ".join(dict.fromkeys(remedies)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -54,6 +55,40 @@ class Part:
         """The bake target of the part as an image of its own."""
         return names.part_target(self.name)
 
+    @property
+    def repository(self) -> str:
+        """Its repository, without the registry's prefix."""
+        return PARTS
+
+    @property
+    def tag(self) -> str:
+        """Its tag there."""
+        return self.name
+
+
+@dataclass(frozen=True)
+class Environment(Part):
+    """An environment of Python packages beside ROS: a part at a prefix of its own, of no stack. Its name is `env:lerobot-py311`, its
+    kind `env-lerobot`.
+
+    Attributes:
+        environment: its own name, `lerobot`.
+        takes: the releases that it takes from its image, and their versions, by its locks; none if it has no lock.
+        glibc: the N of the glibc 2.N that its locks are for; 0 if it has none.
+    """
+
+    environment: str = ""
+    takes: Mapping[str, str] = field(default_factory=dict, hash=False)
+    glibc: int = 0
+
+    @property
+    def repository(self) -> str:
+        return ENVIRONMENTS
+
+    @property
+    def tag(self) -> str:
+        return names.environment_name(self.environment, self.python)
+
 
 @dataclass(frozen=True)
 class Wheels:
@@ -69,7 +104,19 @@ class Wheels:
 
 
 _IN_JSON = (
-    *("target", "distribution", "component", "framework", "addons", "stack", "os", "python", "ros", "ros_distro"),
+    *(
+        "target",
+        "distribution",
+        "component",
+        "framework",
+        "addons",
+        "environment",
+        "stack",
+        "os",
+        "python",
+        "ros",
+        "ros_distro",
+    ),
     *("platforms", "versions", "repository", "tags", "groups", "parent", "packages", "wheels", "parts", "locks"),
     *("locked", "tests", "disk"),
 )
@@ -83,6 +130,7 @@ class Image:
         target: the name of its bake target.
         distribution, component, framework: its place on the axes.
         addons: the add-ons that it has besides.
+        environment: the environment that it has beside ROS; empty if it has none.
         combination: framework and add-ons as in its target: `torch`, `onnx`, `torch-onnx`; `none`.
         stack: its stack; None for images without a framework.
         os: its operating system.
@@ -149,6 +197,7 @@ class Image:
     budgeted: tuple[str, ...] = ()
     addons: tuple[str, ...] = ()
     combination: str = ""
+    environment: str = ""
 
     @property
     def locked(self) -> bool:
@@ -189,6 +238,11 @@ class ImageSet:
         wheels = {lock for item in self.wheels for lock in item.locks}
         return wheels.union(lock for part in self.parts for lock in part.locks)
 
+    @property
+    def parts_of_stacks(self) -> tuple[Part, ...]:
+        """The parts without environments: `rosml locks` makes the locks of these."""
+        return tuple(part for part in self.parts if not isinstance(part, Environment))
+
     @cached_property
     def by_target(self) -> dict[str, Image]:
         """Images by target."""
@@ -204,7 +258,7 @@ class ImageSet:
         """The targets of every bake group, without images that lack a lock, and without empty groups."""
         locked = {image.target: image for image in self.images if image.locked}
         members: dict[str, list[str]] = {"default": [name for name in self.matrix.default.group if name in locked]}
-        for axis in ("distributions", "components", "frameworks", "addons", "stacks"):
+        for axis in names.AXES:
             members.update({name: [] for name in getattr(self.matrix, axis)})
         for image in locked.values():
             for group in image.groups:
@@ -227,11 +281,6 @@ class ImageSet:
         return next((image for image in self.images if tag in image.tags), None) if ":" in tag else None
 
 
-def repository_of(thing: Image | Part) -> str:
-    """The repository of an image or part, without the registry's prefix."""
-    return PARTS if isinstance(thing, Part) else thing.repository
-
-
 def tags_of(thing: Image | Part) -> list[str]:
     """The tags of an image or part, without the repository: the main one, those with versions, floating ones."""
-    return [thing.name] if isinstance(thing, Part) else [tag.split(":", 1)[1] for tag in thing.tags]
+    return [thing.tag] if isinstance(thing, Part) else [tag.split(":", 1)[1] for tag in thing.tags]

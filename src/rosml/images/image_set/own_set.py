@@ -193,7 +193,7 @@ commit=@commit@
 case $commit in *[!0-9a-f]*) commit= ;; esac
 [ "${#commit}" = 40 ] || fail '@where@ names no commit of rosml' 'write all 40 digits of one'
 rosml=$here/.rosml
-own="scan.yaml components locks tests/structure" # of this folder, if it has them
+own="scan.yaml components environments locks tests/structure" # of this folder, if it has them
 # shellcheck disable=SC2086 # several names
 now="$commit $(cd "$here" && find $own -type f -exec cksum {} + 2>/dev/null | cksum)"
 if [ "$now" != "$(cat "$rosml/.state/set" 2>/dev/null)" ]; then
@@ -326,5 +326,6 @@ A set of images in `{choice.registry}`, which extends [rosml]({upstream.reposito
 - **Other images**: edit `{SET}`.
 - **A newer rosml**, with newer releases, base images and fixes: {updated[0].lower()}{updated[1:]}
 - **Which vulnerabilities stop an image**: put a `scan.yaml` here; rosml's own applies until then.
-- **A key of your apt archive, a part of your own**: `components/`, `locks/` and `tests/structure/` go over rosml's folders.
+- **A key of your apt archive, a part or an environment of your own**: `components/`, `environments/`, `locks/` and `tests/structure/` go
+  over rosml's folders.
 """

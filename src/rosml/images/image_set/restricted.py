@@ -74,7 +74,7 @@ def parts_of(labels: Mapping[str, str]) -> tuple[str, ...]:
 
 def of(matrix: Matrix, parts: Iterable[str]) -> tuple[str, ...]:
     """The restricted ones of some parts of a matrix."""
-    return tuple(name for name in parts if matrix.part[name].restricted)
+    return tuple(name for name in parts if name in matrix.part and matrix.part[name].restricted)
 
 
 def refused(

@@ -135,7 +135,7 @@ def _built(image: Image, architecture: str) -> list[list[str]]:
 def _content(image_set: ImageSet, image: Image) -> Iterator[str]:
     matrix = image_set.matrix
     has = {image.framework, *image.addons, *(item.name for item in image.brought), *image.architectures}
-    yield from image.addons
+    yield from (*image.addons, image.environment)
     yield from (word for word, ours in our_words(matrix).items() if ours in has)
     if matrix.distributions[image.distribution].wheels or combinations.only_runs(matrix, image.component):
         return  # the one has rclpy alone, the other no compiler

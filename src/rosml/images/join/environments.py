@@ -42,7 +42,7 @@ def join(ros: Source, parts: Sequence[Source]) -> Joined:
         text = f"{image.name} would have {number} environments, and an image has at most {label_claims.MOST}"
         raise RosmlError(text, "leave some of them out", exit_code=2)
     environments.sort(key=lambda environment: environment.labels[labels.ENVIRONMENT])
-    merged = {**image.labels, labels.ENVIRONMENTS: " ".join(sorted([*present, *names]))}
+    merged = {**image.labels, **labels.with_environments(image.labels, present, names)}
     config = oci.encoded(_config(image, environments, merged))
     lower = below.layers if below else tuple((layer, ros) for layer in ros.layers)
     whole = (*lower, *((layer, source) for source in environments for layer in source.layers))
@@ -102,11 +102,8 @@ def misfit(environment: Mapping[str, str], image: Mapping[str, str], image_name:
     return ""
 
 
-FOLDER = "/opt/env"
-"""Where images have their environments, each in a folder with its name."""
-
 _MODULE = re.compile(
-    rf"{FOLDER[1:]}/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.pyc?|\.[^/]+\.so)"
+    rf"{labels.ENVIRONMENTS_FOLDER[1:]}/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.pyc?|\.[^/]+\.so)"
 )
 _ROS_PACKAGE = re.compile(r"(?:usr|opt/ros/[^/]+)/share/([^/]+)/package\.xml")
 
@@ -114,7 +111,7 @@ _ROS_PACKAGE = re.compile(r"(?:usr|opt/ros/[^/]+)/share/([^/]+)/package\.xml")
 def require_apart(environment: Source, files: Collection[str], others: Mapping[str, Iterable[str]]) -> None:
     """Checks that an environment has files in its folder alone, and that none hides a module of ROS. `others`: the files of the images
     that it is joined to, by their names."""
-    folder = f"{FOLDER[1:]}/{environment.labels[labels.ENVIRONMENT]}/"
+    folder = f"{labels.ENVIRONMENTS_FOLDER[1:]}/{environment.labels[labels.ENVIRONMENT]}/"
     if outside := min((path for path in files if not path.startswith(folder)), default=""):
         text = f"{environment.name} has /{outside}, and an environment has files below /{folder} alone"
         raise RosmlError(text, "build it again, or take another one", exit_code=2)

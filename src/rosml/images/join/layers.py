@@ -314,6 +314,8 @@ def _labels(ros: Source, content: _Content, stack: str, brought: Sequence[Brough
         titles[labels.VERSION] = spelled_tag(ros.labels.get(labels.VERSION, ""), labels.spelled(brought))
         software = [f"{item.title} {item.version}" for item in brought if item.title]
         titles[labels.DESCRIPTION] = ", ".join([ros.labels.get(labels.DESCRIPTION, ""), *software])
+    if environments := ros.labels.get(labels.ENVIRONMENTS, "").split():
+        titles |= labels.with_environments(titles, (), environments)
     if ros.labels.get(labels.APP):
         titles[labels.TITLE] = ros.labels.get(labels.TITLE, "")
     versions = {labels.PREFIX + item.name: item.version for item in brought}

@@ -71,7 +71,7 @@ def environments(image_set: ImageSet) -> list[Environment]:
     """An environment for each stack and Python of images with a lock, with the most parts, the oldest Python first."""
     environments_by_key: dict[tuple[str, str], Environment] = {}
     for image in sorted(image_set.images, key=lambda image: len(image.parts)):
-        if image.locked and not image.addons and _slots(image_set, image.framework):
+        if image.locked and not image.addons and not image.environment and _slots(image_set, image.framework):
             environment = Environment(image.framework, image.stack or "", image.python, image.architectures[0])
             environments_by_key[environment.stack, environment.python] = environment
     return sorted(environments_by_key.values(), key=lambda item: (int(item.python.split(".")[1]), item.stack))

@@ -58,7 +58,7 @@ def requests(image_set: ImageSet) -> Iterator[Request]:
     """Every resolution for the parts of an image set. Frameworks of a stack that contradict each other have one each."""
     matrix = image_set.matrix
     parts_by_key: dict[tuple[str, str, str], dict[str, Part]] = {}
-    for part in image_set.parts:
+    for part in image_set.parts_of_stacks:
         if part.python != ANY_PYTHON:  # comes from the resolutions for all Python versions
             for architecture in part.architectures:
                 parts_by_key.setdefault((part.stack, architecture, part.python), {})[part.kind] = part

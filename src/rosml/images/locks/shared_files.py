@@ -52,7 +52,9 @@ def differences(
         pins = versions(texts.get(names.lock_path(part.stack, architecture, ANY_PYTHON, part.kind), ""))
         return list(_of_lock(image_set, root, index, part, architecture, pins)) if pins else []
 
-    shared = [part for part in image_set.parts if part.python == ANY_PYTHON and (not stacks or part.stack in stacks)]
+    shared = [
+        part for part in image_set.parts_of_stacks if part.python == ANY_PYTHON and (not stacks or part.stack in stacks)
+    ]
     locks = [(part, architecture) for part in shared for architecture in part.architectures]
     return [difference for lock in side_by_side(compare, locks, WORKERS) for difference in lock]
 
@@ -87,7 +89,7 @@ def _pythons(image_set: ImageSet, part: Part, architecture: str) -> set[str]:
     matrix = image_set.matrix
     return {
         other.python
-        for other in image_set.parts
+        for other in image_set.parts_of_stacks
         if other.stack == part.stack
         and other.python != ANY_PYTHON
         and architecture in other.architectures

@@ -6,6 +6,7 @@ the rosml that reads it, so a newer rosml brings newer releases, digests and loc
 - `distributions`, `frameworks`, `stacks` and `architectures` choose: if the file has such a section, only the entries in it exist. An entry
   without anything after its colon is as in rosml; the keys of an entry replace those in rosml.
 - `addons` chooses as well. Without it, the set has no add-ons, as each is built and tested for every stack and Python.
+- `environments` chooses likewise: the images that they go onto may not be in the set.
 - Everything else adds and replaces, key by key; `parts` by their names. A key without a value is left out.
 - What only belongs to stacks and frameworks that were not chosen (wheels, forecasts, budgets) goes with them. rosml's budgets of add-ons
   do not count the parts that its frameworks have, so they go as well if the set lacks one of those parts.
@@ -35,6 +36,7 @@ CHOSEN = {
     "stacks": "stack",
     "architectures": "architecture",
     "addons": "add-on",
+    "environments": "environment",
 }
 """Sections in which a set names all that it wants, and what one entry is called."""
 
@@ -75,6 +77,7 @@ def extended(document: Document, base: Document) -> Document:
         text = f"add '{min(plain)}:', since images with a framework stand on those without one"
         raise InputError(document.name, [*document.problems, document.problem(("frameworks",), text)])
     data["addons"] = _addons(_mapping(data.get("addons")) if "addons" in choice else {}, data)
+    data["environments"] = _mapping(data.get("environments")) if "environments" in choice else {}
     _forget(data, base.data, choice)
     if torn := [
         document.problem((section, name), f"none of the stacks of this set has its part {part}; add one that has it")
@@ -299,7 +302,7 @@ def _forget_architectures(data: dict[str, Any], gone: set[str]) -> None:
         kept = {key: remaining(item) for key, item in value.items() if key not in gone}
         return {key: item for key, item in kept.items() if item or not value[key] or key in ("wheels", "elsewhere")}
 
-    for section in ("operating_systems", "distributions", "stacks", "releases"):
+    for section in ("operating_systems", "distributions", "stacks", "releases", "environments"):
         data[section] = remaining(data[section])
     data["releases"] = _releases(data["releases"], ())
 

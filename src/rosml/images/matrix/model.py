@@ -14,6 +14,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
+from rosml.images.matrix.additions import AddOn, EnvironmentEntry
 from rosml.images.matrix.patterns import (
     HOST,
     IMAGE,
@@ -217,27 +218,6 @@ class Framework(Facts):
     accelerators: tuple[Literal["cpu", "cuda"], ...] = Field(
         default=("cpu", "cuda"), description="accelerators that it exists for; both if left out"
     )
-
-
-class TaggedImages(Facts):
-    """The images with an add-on that get tags."""
-
-    distributions: Names = Field(description="names from distributions")
-    components: Names = Field(description="names from components")
-    stacks: Names = Field(description="names from stacks; those that lack the add-on have none")
-
-
-class AddOn(Facts):
-    """Parts that go onto any image of a stack. In each stack and each Python, images that get no tag test it."""
-
-    parts: Names = Field(description="names from parts; no other add-on has them")
-    beside: tuple[Name, ...] = Field(
-        default=(), description="frameworks beside which it is tested as well, if a stack has both"
-    )
-    systems: dict[Name, tuple[OsName, ...]] = Field(
-        default={}, description="stack -> the operating systems on which it works; all, if a stack is not named"
-    )
-    tags: TaggedImages | None = Field(default=None, description="the images with it that get tags; none if left out")
 
 
 class Release(Facts):
@@ -444,6 +424,9 @@ class Matrix(Facts):
     frameworks: dict[Name, Framework] = Field(min_length=1)
     addons: dict[Name, AddOn] = Field(
         default={}, description="what goes onto any image of a stack: 'rosml join', 'rosml containerize --addons'"
+    )
+    environments: dict[Name, EnvironmentEntry] = Field(
+        default={}, description="Python packages at a prefix of their own: 'rosml env add', docs/environments.md"
     )
     releases: dict[Name, dict[Version, Release]] = Field(
         default={}, description="what has wheels of its own -> version -> release"

@@ -10,9 +10,15 @@ ROS = "ros"
 """Stands for a part in the paths of locks of distributions from wheels. The distribution takes the place of a stack; no stack has
 the same name."""
 
+AXES = ("distributions", "components", "frameworks", "addons", "environments", "stacks")
+"""The sections of the matrix whose names are groups of the bake file."""
+
 RESERVED_GROUPS = ("all", "default", "every", "files", "image", "latest", "parts", "test", "tests")
 """Names of groups, tags and abstract targets that do not come from an axis of the matrix."""
 
+
+ENVIRONMENTS = "environments"
+"""The folder with the locks of environments, in the project's root."""
 
 NONE = "none"
 """The usual name of the framework without parts."""
@@ -47,6 +53,13 @@ def image_target(
     return "-".join([distribution, component, *([*parts_of_name, stack] if stack else [])])
 
 
+def environments_end(environments: Iterable[str]) -> str:
+    """What names and tags of an image with environments have at their end; empty without any. No name has `_`, so other environments
+    have another end."""
+    sorted_names = sorted(filter(None, environments))
+    return f"-env-{'_'.join(sorted_names)}" if sorted_names else ""
+
+
 def test_target(image: str) -> str:
     """The target that tests an image."""
     return f"{image}-test"
@@ -77,19 +90,35 @@ def environment_name(name: str, python: str) -> str:
     return f"{name}-py{python.replace('.', '')}"
 
 
+def environment_part(name: str, python: str) -> str:
+    """The name of an environment among the parts of an image: `env:lerobot-py311`."""
+    return f"env:{environment_name(name, python)}"
+
+
 def files_target(part: str) -> str:
     """The target that builds a part's files below /out."""
-    return f"_files-{part}"
+    return f"_files-{part.replace(':', '-')}"
 
 
 def part_target(part: str) -> str:
-    """The target of a part as an image of its own."""
-    return f"part-{part}"
+    """The target of a part as an image of its own: `part-torch-cu128-py311`, `part-env-lerobot-py311`."""
+    return f"part-{part.replace(':', '-')}"
 
 
 def lock_path(stack: str, architecture: str, python: str, part: str) -> str:
     """The path of a part's lock, relative to the project's root. The Dockerfile has the same path."""
     return f"locks/{stack}/{architecture}/{python}/{part}.txt"
+
+
+def environment_locks(name: str, python: str) -> str:
+    """The folder of an environment's locks, relative to the project's root. Each lock is named by its architecture."""
+    return f"{ENVIRONMENTS}/{name}/{python}"
+
+
+def lock_architecture(lock: str) -> str:
+    """The architecture of a lock, by its path."""
+    folder, _, third, *_, file = lock.split("/")
+    return file.removesuffix(".txt") if folder == ENVIRONMENTS else third
 
 
 def lock_head(stack: str, architecture: str, python: str, part: str) -> str:

@@ -34,6 +34,7 @@ def findings(matrix: Matrix) -> Iterator[Finding]:
         _parts,
         _frameworks,
         _addons,
+        _environments,
         _releases,
         _stacks,
         _distributions,
@@ -62,7 +63,7 @@ def _default(matrix: Matrix) -> Iterator[Finding]:
 def _axes(matrix: Matrix) -> Iterator[Finding]:
     """Every value of an axis is a group of the bake file, so no two may share a name."""
     taken = dict.fromkeys(names.RESERVED_GROUPS, "a group of its own")
-    for axis in ("distributions", "components", "frameworks", "addons", "stacks"):
+    for axis in names.AXES:
         for name in getattr(matrix, axis):
             if name in taken:
                 text = f"the name {name!r} is taken ({taken[name]}); both would be the same group of targets"
@@ -190,6 +191,13 @@ def _addons(matrix: Matrix) -> Iterator[Finding]:
         if addon.tags:
             for key in ("distributions", "components", "stacks"):
                 yield from _each((*path, "tags", key), key[:-1], getattr(addon.tags, key), getattr(matrix, key))
+
+
+def _environments(matrix: Matrix) -> Iterator[Finding]:
+    """Their architectures exist. (Their images are checked against the whole image set.)"""
+    for name, entry in matrix.environments.items():
+        path: KeyPath = ("environments", name, "architectures")
+        yield from _each(path, "architecture", entry.architectures, matrix.architectures)
 
 
 def _parts(matrix: Matrix) -> Iterator[Finding]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
+from rosml.images.image_set.model import Image, ImageSet, Part
 
 Kind = Literal["ros", "part", "joined"]
 Step = Literal["build", "join", "test", "scan"]
@@ -48,7 +48,7 @@ class Item:
     @property
     def repository(self) -> str:
         """The repository, without the registry's prefix."""
-        return repository_of(self.thing)
+        return self.thing.repository
 
     @property
     def key(self) -> Key:

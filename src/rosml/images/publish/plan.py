@@ -12,8 +12,7 @@ from rosml.base import files, untrusted
 from rosml.base.clock import checked_date
 from rosml.base.errors import RosmlError
 from rosml.base.problems import first_of, unknown
-from rosml.images.image_set.model import PARTS, ImageSet
-from rosml.images.image_set.selection import select
+from rosml.images.image_set.model import ImageSet
 from rosml.images.publish.items import Kind, Step, Task
 from rosml.images.publish.shards import Fact, Names, Shard, Work, deal, too_large
 from rosml.images.publish.state import State
@@ -53,10 +52,9 @@ class Plan(Fact):
         tasks = [task for task in self.tasks if task.steps]
         if not tasks:
             return []
-        images = [task.target for task in tasks if task.kind != "part"]
-        names = [REPOSITORY] if len(images) == len(tasks) else [REPOSITORY, PARTS]
-        names += [image.repository for image in select(image_set, images)] if images else []
-        return list(dict.fromkeys(names))
+        repositories = {part.target: part.repository for part in image_set.parts}
+        repositories |= {image.target: image.repository for image in image_set.images}
+        return list(dict.fromkeys([REPOSITORY, *(repositories[task.target] for task in tasks)]))
 
     def text(self) -> str:
         """The content of plan.json."""

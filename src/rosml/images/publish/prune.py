@@ -24,7 +24,7 @@ from rosml.base.clock import is_date
 from rosml.base.errors import RosmlError
 from rosml.base.problems import counted, listed
 from rosml.base.side_by_side import side_by_side
-from rosml.images.image_set.model import PARTS, ImageSet
+from rosml.images.image_set.model import ENVIRONMENTS, PARTS, ImageSet
 from rosml.images.matrix.tags import DATED
 from rosml.images.records.store import REPOSITORY, Records, date_of
 from rosml.images.records.tag_moves import UNDO, read_moves
@@ -82,8 +82,9 @@ class Pruner:
         graph = _Graph(self.place)
         tags, manifests, kept = list[tuple[str, str]](), list[tuple[str, str]](), 0
         needed, tag_digests = set[tuple[str, str]](), dict[tuple[str, str], str]()
-        frameworks = self.image_set.matrix.frameworks.values()
-        for repository in dict.fromkeys([*(framework.repository for framework in frameworks), PARTS]):
+        frameworks = (framework.repository for framework in self.image_set.matrix.frameworks.values())
+        images = (image.repository for image in self.image_set.images)
+        for repository in dict.fromkeys([*frameworks, *images, PARTS, ENVIRONMENTS]):
             path = self.place.path(repository)
             names = graph.tags(path)
             tagged = dict(zip(names, side_by_side(partial(graph.manifest, path), names), strict=True))

@@ -153,7 +153,11 @@ class SharedTests:
                 return f"{what}: that image has another {name}"
         if not (open_names := tuple(name for name in names if name not in ran)):
             return ""
-        return self._unproven(proof, open_names, prover.parent) if target == image.parent else f"{what} did not run"
+        if target == image.parent:
+            return self._unproven(proof, open_names, prover.parent)
+        if image.environment and target in image.carriers:  # the image without it: others ran what that one shares
+            return self._unproven(proof, open_names, next(iter(prover.carriers), ""))
+        return f"{what} did not run"
 
     @cached_property
     def _by_distribution(self) -> Mapping[str, Sequence[Image]]:

@@ -14,7 +14,7 @@ from rosml.base.clock import TIME, is_ahead, is_date
 from rosml.base.problems import counted, listed, some
 from rosml.images.image_set import missing_locks
 from rosml.images.image_set.missing_locks import UNLOCKED
-from rosml.images.image_set.model import Image, Part, repository_of, tags_of
+from rosml.images.image_set.model import Image, Part, tags_of
 from rosml.images.publish.items import ELSEWHERE, ENDED, WAITING, Item, Key, Step
 from rosml.images.publish.state import State
 from rosml.images.records.store import Entry, date_of
@@ -67,7 +67,7 @@ class ImageStatus:
 def read(state: State, now: str) -> Iterator[ImageStatus]:
     """The state of every requested image and part. Ages count from `now`, in the format of a run's date."""
     for thing in state.things():
-        repository, main = repository_of(thing), tags_of(thing)[0]
+        repository, main = thing.repository, tags_of(thing)[0]
         index = state.place.client.manifest(state.place.path(repository), main)
         date, digest = date_of(index), index.digest if index else ""
         published, today = _time(date), _time(now)

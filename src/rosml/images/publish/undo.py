@@ -13,7 +13,7 @@ from rosml.base.clock import TIME, is_date
 from rosml.base.errors import RosmlError
 from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.labels import TITLE
-from rosml.images.image_set.model import PARTS
+from rosml.images.image_set.model import ENVIRONMENTS, PARTS
 from rosml.images.matrix.names import part_target
 from rosml.images.publish.run import Outcome
 from rosml.images.records.store import INDEX, Records
@@ -121,6 +121,6 @@ def _hold(book: Records, repository: str, digest: str, date: str) -> None:
     """Records that an index gets no more tags, in the entry of the image or part that its title names."""
     index = book.registry.manifest(book.place.path(repository), digest)
     title = index.annotations.get(TITLE, "") if index else ""
-    entry = book.read(part_target(title) if repository == PARTS else title, INDEX) if title else None
+    entry = book.read(part_target(title) if repository in (PARTS, ENVIRONMENTS) else title, INDEX) if title else None
     if entry and not entry.held and (entry.repository, entry.digest) == (repository, digest):
         book.write(replace(entry, held=date, changed=date), {})

@@ -201,6 +201,7 @@ PIN = lock.Image(name="", digest=f"sha256:{'0' * 64}")
         (["part:common", "part:graph"], "graph", NONE, SLIM, True),  # the base image has them already
         (["part:common", "part:graph"], "graph", NONE, None, True),  # without the slim image, this time
         (["part:common", "part:graph"], "", NONE, None, False),
+        (["env:a-py311"], "", replace(NONE, labels={"io.rosml.environments": "a"}), None, True),
         (["part:common"], "graph", SLIM, None, False),
         ([f"part:p{number}" for number in range(5000)], "", NONE, None, False),
     ],

@@ -75,6 +75,8 @@ OURS = {"io.rosml.distribution": "jazzy", "io.rosml.runtime": "base-run"}
 STACK = {**OURS, "io.rosml.stack": "cpu"}
 VERSIONED = {**STACK, "io.rosml.component": "base", "org.opencontainers.image.version": "jazzy-base-cpu-tf2.20.0"}
 
+WITH_A = {"io.rosml.environments": "a", "org.opencontainers.image.version": "jazzy-base-cpu-tf2.20.0-env-a"}
+
 
 @pytest.mark.parametrize(
     ("name", "labels", "runtime"),
@@ -84,6 +86,8 @@ VERSIONED = {**STACK, "io.rosml.component": "base", "org.opencontainers.image.ve
         ("ghcr.io/me/ros:jazzy-base-20261124", OURS, "ghcr.io/me/ros:jazzy-base-run-20261124"),
         ("ghcr.io/me/ros:jazzy", {"io.rosml.distribution": "jazzy"}, ""),
         ("ghcr.io/me/ros-tf:jazzy-base-cpu-tf2.20.0", VERSIONED, "ghcr.io/me/ros-tf:jazzy-base-run-cpu-tf2.20.0"),
+        ("ghcr.io/me/ros-tf:jazzy-base-cpu-env-a", VERSIONED | WITH_A, "ghcr.io/me/ros-tf:jazzy-base-run-cpu"),
+        ("me/ros-tf:jazzy-base-cpu-tf2.20.0-env-a", VERSIONED | WITH_A, "me/ros-tf:jazzy-base-run-cpu-tf2.20.0"),
         ("ghcr.io/me/ros@sha256:0123", OURS, "ghcr.io/me/ros:jazzy-base-run"),
     ],
 )
@@ -93,7 +97,12 @@ def test_a_base_image_says_which_one_has_no_compilers(name: str, labels: dict[st
 
 def test_a_slim_image_is_of_the_same_versions() -> None:
     shared = {"io.rosml.os": "x"}
-    base = shared | {"io.rosml.component": "base", "io.rosml.runtime": "base-run", "io.rosml.torch": "2.10.0"}
+    base = shared | {
+        "io.rosml.environments": "a",
+        "io.rosml.component": "base",
+        "io.rosml.runtime": "base-run",
+        "io.rosml.torch": "2.10.0",
+    }
     slim = shared | {"io.rosml.component": "base-run", "io.rosml.torch": "2.11.0", "io.rosml.cuda": "12"}
     assert app_base.differing(Base("a", "", {}, base), Base("b", "", {}, slim)) == ["cuda", "torch"]
 

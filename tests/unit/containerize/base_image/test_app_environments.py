@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -14,6 +16,7 @@ from rosml.containerize import inputs, lock
 from rosml.containerize.base_image import addons
 from rosml.containerize.base_image import base as app_base
 from rosml.containerize.base_image.base import AddOns, Base
+from rosml.containerize.build import bases
 from rosml.images.image_set.labels import ENVIRONMENTS
 from rosml.images.join.joiner import Joiner
 from tests.e2e.parts import part
@@ -61,6 +64,16 @@ def test_one_of_the_local_registry_and_one_that_the_base_image_has(place: Place)
         image = joiner.join(elsewhere.name, [policy], f"{place.server.address}/team/ros:with").reference
     base = app_base.find(image, place.services, BOTH)
     assert addons.onto(base, "", place.services, BOTH, None, "policy") is base
+
+
+def test_a_slim_image_gets_those_of_the_other(place: Place) -> None:
+    policy, slim = environment(place), plain(place)
+    main = replace(slim, labels={**slim.labels, ENVIRONMENTS: "policy"})
+    names = SimpleNamespace(platforms=BOTH)
+    call: Any = SimpleNamespace(values=inputs.Values(), services=place.services, names=names, say=lambda _: None)
+    joined = bases.with_addons(call, slim, None, main).addons
+    assert joined and [*joined.parts] == [policy]
+    assert bases.with_addons(call, slim, None) is slim
 
 
 def test_a_lock_that_names_something_else(place: Place) -> None:

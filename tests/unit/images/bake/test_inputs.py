@@ -128,7 +128,7 @@ def used(image_set: ImageSet) -> set[str]:
 def test_every_file_that_reaches_the_builder_is_an_input(small: ImageSet, real: ImageSet) -> None:
     """Also of a component's file that nothing uses. The small matrix has every part, whatever the real one holds."""
     files = {path for path in (ROOT / "components").rglob("*") if path.is_file()}
-    no_images = {"__pycache__", "containerize", "environment"}  # these are of apps and environments
+    no_images = {"__pycache__", "containerize"}  # these are of apps
     needed_files = {path.relative_to(ROOT).as_posix() for path in files if not no_images & set(path.parts)}
     locks = small.locks | real.locks
     needed_files |= {name for name in (*locks, "tools/requirements.txt", ".dockerignore") if (ROOT / name).is_file()}

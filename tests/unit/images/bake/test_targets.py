@@ -16,7 +16,7 @@ from conftest import ROOT, SMALL, WHEELS, changed, parse
 from fakes.bakes import evaluated, printed, whole
 from rosml.base.errors import RosmlError
 from rosml.images.bake import bake_file, targets
-from rosml.images.bake.targets import Context, Dependency, NoInput, Overridable, Target, Value
+from rosml.images.bake.targets import Context, Dependency, Locks, NoInput, Overridable, Target, Value
 from rosml.images.image_set import load, locked
 from rosml.images.image_set.model import ImageSet
 
@@ -36,6 +36,8 @@ class Caller:
         match value:
             case str():
                 return value
+            case Locks(folder):
+                return folder
             case Overridable():
                 return self.variables[value.variable] or value.fact
             case Dependency(target, name, repository):

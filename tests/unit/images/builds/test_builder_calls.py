@@ -16,7 +16,7 @@ from fakes.stubs import services
 from rosml.base.errors import RosmlError
 from rosml.images.builds import base_images, contents, sync
 from rosml.images.builds.maker import BuildKitMaker
-from rosml.images.image_set.model import Image, ImageSet, Part, repository_of
+from rosml.images.image_set.model import Image, ImageSet, Part
 from rosml.images.matrix import names
 from rosml.images.publish import run as running
 from rosml.images.publish.steps import STEPS
@@ -48,7 +48,7 @@ def bake(registry: Publisher, image_set: ImageSet, build: Callable[[buildx.Bake]
         architecture = base_images.native_architecture()
         digests = {
             target: put_image(
-                registry.registry, f"{PREFIX}/{repository_of(things[target])}", architecture, {}, [target.encode()]
+                registry.registry, f"{PREFIX}/{things[target].repository}", architecture, {}, [target.encode()]
             )
             for target in (call.target, *call.beside)
         }

@@ -10,12 +10,12 @@ from conftest import ROOT
 from rosml.images.image_set import locked
 from rosml.images.image_set.explain import why_not
 from rosml.images.image_set.model import ImageSet
-from rosml.images.matrix import combinations
+from rosml.images.matrix import combinations, names
 
 
 def test_every_axis(real: ImageSet) -> None:
     """As many images as the design asks for."""
-    assert len([image for image in real.images if not image.addons]) == 801
+    assert len([image for image in real.images if not image.addons and not image.environment]) == 801
     with_addon = {name: [image for image in real.images if image.addons == (name,)] for name in real.matrix.addons}
     assert all(with_addon.values()), "each is tested somewhere"
     assert len([tag for images in with_addon.values() for image in images for tag in image.tags]) <= 30
@@ -126,7 +126,7 @@ def test_every_part_is_in_a_budget(real: ImageSet) -> None:
     without = {(image.combination, image.stack) for image in real.images if image.stack and not image.budget}
     assert not without
     budgeted = {real.part_by_name[name] for image in real.images for name in image.budgeted}
-    assert {(part.kind, part.stack) for part in real.parts} == {(part.kind, part.stack) for part in budgeted}
+    assert {(part.kind, part.stack) for part in real.parts_of_stacks} == {(part.kind, part.stack) for part in budgeted}
 
 
 def test_budgets_leave_room_for_the_forecast_and_little_more(real: ImageSet) -> None:
@@ -186,8 +186,9 @@ def test_everything_is_tested_somewhere_in_each_row(real: ImageSet) -> None:
         assert all(set(image.architectures) <= set(proof.architectures) for proof in proofs), image.target
         if image.locked and image.stack:
             carrier = real.by_target[image.carriers[0]]
-            assert carrier.locked and set(image.parts) <= set(carrier.parts)
-            assert set(image.carried) <= set(carrier.tests)
+            beside = {names.environment_part(image.environment, image.python)}
+            assert carrier.locked and set(image.parts) - beside <= set(carrier.parts)
+            assert set(image.carried) <= {*carrier.tests, *(carrier.shared if image.environment else ())}
     workspaces = {image.target for image in real.images if "ros1-workspace" in image.tests}
     assert workspaces >= {f"ros1-bookworm-core{end}" for end in ("", "-ml-cu128", "-torch-cu130", "-tensorflow-cpu")}
     assert not {"ros1-bookworm-base", "ros1-bookworm-core-torch-cu128", "ros1-trixie-core-tensorflow-cpu"} & workspaces

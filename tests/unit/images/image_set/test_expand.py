@@ -28,6 +28,7 @@ def test_image_facts(small: ImageSet) -> None:
         "component": "base",
         "framework": "ml",
         "addons": [],
+        "environment": "",
         "stack": "cu1",
         "os": "ubuntu-24.04",
         "python": "3.12",

@@ -140,7 +140,8 @@ def test_labels_of_a_join_are_those_of_a_build(real: ImageSet) -> None:
                     claims(name) for name in (image.parent, *(image_set.part_by_name[x].target for x in image.parts))
                 ]
                 joined = labels.together(
-                    [one[labels.LICENSES] for one in below], [x for one in below for x in restricted.parts_of(one)]
+                    [one.get(labels.LICENSES, "") for one in below],
+                    [x for one in below for x in restricted.parts_of(one)],
                 )
                 assert joined == claims(image.target), image.target
                 kinds = [image_set.part_by_name[name].kind for name in image.parts]

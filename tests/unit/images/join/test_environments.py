@@ -40,13 +40,14 @@ def environment(
 def test_it_comes_last_and_the_rest_stays(place: Place) -> None:
     base, stack, policy = place.ros(), place.stack(), environment(place, takes="torch=2.10.0")
     without = place.image(place.join(base, *stack, tag="without"))[1]
-    before = place.registry.uploaded
+    uploaded = place.registry.uploaded
     manifest, config = place.image(place.join(base, policy, *stack))
     assert [layer["digest"] for layer in manifest["layers"]] == place.layers(base, *stack, policy)
     assert len(config["rootfs"]["diff_ids"]) == len(config["history"]) == 5
-    assert config["config"]["Labels"] == {**without["config"]["Labels"], labels.ENVIRONMENTS: "policy"}
+    before = without["config"]["Labels"]
+    assert config["config"]["Labels"] == before | labels.with_environments(before, (), ["policy"])
     assert config["config"]["Env"] == without["config"]["Env"]
-    assert place.registry.uploaded - before < 10_000  # only manifests: all layers are there
+    assert place.registry.uploaded - uploaded < 10_000  # only manifests: all layers are there
 
 
 def test_a_second_one_and_parts_onto_an_image_with_one(place: Place) -> None:
@@ -54,6 +55,9 @@ def test_a_second_one_and_parts_onto_an_image_with_one(place: Place) -> None:
     manifest, config = place.image(place.join(first, environment(place, "a"), *place.stack()))
     assert config["config"]["Labels"][labels.ENVIRONMENTS] == "a b"
     assert config["config"]["Labels"]["io.rosml.framework"] == "torch"
+    assert config["config"]["Labels"][labels.TITLE] == "ros1-bookworm-core-torch-cu128-env-a_b"
+    assert config["config"]["Labels"][labels.VERSION] == "ros1-bookworm-core-cu128-torch2.10.0-env-a_b"
+    assert config["config"]["Labels"][labels.DESCRIPTION].endswith(", environment b, environment a")
     assert len(manifest["layers"]) == 6
 
 

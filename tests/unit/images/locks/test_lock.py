@@ -38,7 +38,7 @@ def test_one_request_for_each_stack_python_and_architecture(real: ImageSet) -> N
         for item in requests.requests(real)
         if item.ros or not real.matrix.stacks[item.stack].apart or "tensorflow" in item.roots
     ]
-    parts = [part for part in real.parts if part.python != "any"]
+    parts = [part for part in real.parts_of_stacks if part.python != "any"]
     needed = {(part.stack, architecture, part.python) for part in parts for architecture in part.architectures}
     needed |= {
         (item.distribution, architecture, item.python) for item in real.wheels for architecture in item.architectures
@@ -160,7 +160,7 @@ def test_only_what_has_a_wheel_is_asked_for(small: ImageSet) -> None:
 
 
 def test_committed_locks_are_what_the_matrix_asks_for(real: ImageSet) -> None:
-    for part in real.parts:
+    for part in real.parts_of_stacks:
         for architecture, path in zip(part.architectures, part.locks, strict=True):
             if not (ROOT / path).is_file():
                 continue  # test_design.py knows which

@@ -142,7 +142,7 @@ def make(
         yield call
 
 
-REPOSITORIES = ["records", "part", "ros", "ros-torch", "rosdep"]
+REPOSITORIES = ["records", "ros", "part", "ros-torch", "rosdep"]
 
 
 def test_repositories_are_made_before_machines_push_at_once(ghcr: LocalRegistry, make: Make) -> None:

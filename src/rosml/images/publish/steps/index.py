@@ -11,7 +11,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import counted
 from rosml.base.side_by_side import side_by_side
 from rosml.images.image_set.labels import COVERED, OCI, REVISION, SBOM, SOURCE, TITLE, VEX, title
-from rosml.images.image_set.model import Image, Part, repository_of
+from rosml.images.image_set.model import Image, Part
 from rosml.images.publish import provenance, same_content, vex
 from rosml.images.publish.run import Run, failure
 from rosml.images.publish.steps.sign import sign
@@ -52,7 +52,7 @@ def _make(run: Run, thing: Image | Part) -> None:
         entry = entry.with_digest(
             _put(run, thing, members, inputs),
             inputs=inputs,
-            repository=repository_of(thing),
+            repository=thing.repository,
             parts={member.architecture: member.digest for member in members},
             vex=vex.digests(members),
             date=state.date,
@@ -69,7 +69,7 @@ def _make(run: Run, thing: Image | Part) -> None:
 def _put(run: Run, thing: Image | Part, members: Sequence[Entry], inputs: str) -> str:
     """Puts an index, and returns its digest. Fails if the architectures differ in content, or the records name another image's manifest."""
     place = run.state.place
-    repository = place.path(repository_of(thing))
+    repository = place.path(thing.repository)
     images = {entry.architecture: _image(run, repository, entry.digest) for entry in members}
     configs = {architecture: config for architecture, (_, config) in images.items()}
     for entry in members:

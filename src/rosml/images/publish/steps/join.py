@@ -10,6 +10,7 @@ from rosml.base.clock import now
 from rosml.base.errors import RosmlError
 from rosml.images.builds import contents
 from rosml.images.builds.maker import NewImage
+from rosml.images.image_set.labels import title
 from rosml.images.image_set.model import Image
 from rosml.images.publish.items import NO_SBOM, UNDESCRIBED, Item, Key
 from rosml.images.publish.new_entry import new_entry
@@ -55,7 +56,8 @@ def _sbom(run: Run, key: Key) -> Sbom:
 def _attach_sbom(run: Run, read: Read, item: Item, digest: str) -> str:
     """Attaches the SBOM of a joined image, to which those of its parts are put together; returns the digest of the artifact."""
     place = run.state.place
-    sboms = [(target.removeprefix("part-"), read((target, item.architecture))) for target in item.needs]
+    needs = [run.state.by_key[target, item.architecture] for target in item.needs]
+    sboms = [(title(need.thing), read(need.key)) for need in needs]
     repository = place.path(item.repository)
     manifest = place.client.manifest(repository, digest)
     if manifest is None:
