@@ -35,8 +35,8 @@ PROOFS = {
     "environments": Proof(12),
     # What users install next by pip and uv leaves PyTorch, TensorFlow, CUDA and ROS as they are.
     "everyday": Proof(20),
-    # Object detection on ROS 1 and the CPU: an add-on, messages, nodes in Python and C++, and their tests.
-    "examples": Proof(6),
+    # Object detection on ROS 1 and the CPU: an add-on, messages, nodes in Python and C++, and their tests. A policy in another process.
+    "examples": Proof(10),
     # A fork made from the documentation, step by step, passes its own unit tests.
     "fork": Proof(8),
     # C++ headers of PyTorch and TensorFlow compile, alone and together; so does a kernel with NVIDIA's compiler.

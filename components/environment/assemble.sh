@@ -40,9 +40,9 @@ rm -f "$OUT$prefix"/{.gitignore,CACHEDIR.TAG} "$OUT$prefix"/bin/*.{bat,ps1}
 # The interpreter is the image's, whatever the assembler's links say.
 ln -sfn "/usr/bin/python$PYTHON" "$OUT$prefix/bin/python"
 
-# Modules of ROS that end a process beside numpy 2 say so instead.
-cp "$here/_rosml_numpy1.py" "$OUT$SITE/"
-echo "import _rosml_numpy1" >"$OUT$SITE/_rosml_numpy1.pth"
+# The functions of a cv_bridge for another numpy or OpenCV are replaced.
+cp "$here"/_rosml_*.py "$OUT$SITE/"
+echo "import _rosml_cv_guard" >"$OUT$SITE/_rosml_cv_guard.pth"
 
 "$here/../part/bytecode.sh"
 "$here/../part/normalise.sh"

@@ -149,6 +149,29 @@ def test_messages_of_ros_2_with_both_numpys(
     assert versions == ["1", "2"]
 
 
+@pytest.mark.full(proof="environments")
+@pytest.mark.usefixtures("policy")  # it gives the ROS image a list of files
+def test_pictures_with_both_numpys(services: Services, published: Publish, tmp_path: Path) -> None:
+    """The cv_bridge of bookworm converts them in ROS's Python; the environment's OpenCV does it alike."""
+    place, options = f"{services.registry}/{NAMESPACE}", ("--folder", str(tmp_path / "environments"))
+    path = {"PATH": f"{Path(services.uv).parent}:{os.environ['PATH']}"}
+    packages = ("numpy>=2,<2.3", "opencv-python-headless")
+    rosml("env", "add", "vision", *packages, "--image", BASE, *options, env=path)
+    rosml("env", "build", "vision", *options, "--namespace", NAMESPACE)
+    rosml("join", published(BASE).reference, f"{place}/env:vision-py311", "--tag", f"{place}/with-env:vision")
+    shutil.copy(POLICIES / "pictures.py", tmp_path)
+    output = build_file(
+        services,
+        tmp_path,
+        f"FROM {place}/with-env:vision\nCOPY pictures.py /\n"
+        "RUN apt-get update && apt-get install -y --no-install-recommends python3-cv-bridge python3-opencv\n"
+        "RUN /entrypoint.sh python3 /pictures.py write /pictures.npz\n"
+        "RUN /entrypoint.sh /opt/env/vision/bin/python /pictures.py compare /pictures.npz\n",
+    )
+    converted = re.findall(r"pictures: (2209 pairs, \d+ converted), numpy (\d)", output)
+    assert [numpy for _, numpy in converted] == ["1", "2"] and len({same for same, _ in converted}) == 1
+
+
 @pytest.mark.full(proof="cuda")
 def test_lerobot(published: Publish) -> None:
     """As it is built each night: ACT and diffusion act in it. Its layer is the last one."""

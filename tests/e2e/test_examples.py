@@ -102,6 +102,39 @@ def test_tensorflow_node(services: Services, ros2_tensorflow: str, tmp_path: Pat
     example(services, "tensorflow-node", ros2_tensorflow, tmp_path, check)
 
 
+MOVES = "import rclpy; from test_node import Robot; rclpy.init(); print('moves', Robot().moves(60))"
+
+
+@pytest.mark.full(proof="examples")
+def test_remote_policy(services: Services, ros2: str, published: Publish, tmp_path: Path) -> None:
+    """In one container by its own test; then each in its container of Docker, with what compose.yaml says of it."""
+    file = yaml.safe_load((EXAMPLES / "remote-policy/compose.yaml").read_text())
+    example(services, "remote-policy", ros2, tmp_path)
+    folders = {"robot": tmp_path / "remote-policy", "policy": tmp_path / "remote-policy/server"}
+    bases = {"robot": ros2, "policy": published("ros1-bookworm-core").reference}
+    with engine.running() as docker, ExitStack() as after:
+        for service, facts in file["services"].items():
+            image = f"{services.registry}/{NAMESPACE}/examples/{facts['image']}:latest"
+            output = ("--output", f"type=image,name={image},push=true,{COMPRESSION}")
+            buildx(services, *output, "--build-arg", f"BASE_IMAGE={bases[service]}", str(folders[service]))
+            name = docker.image(services, image, facts["image"], tmp_path)
+            after.callback(docker.docker, "rm", "--force", service)
+            options = (
+                "--network",
+                facts["network_mode"],
+                "--ipc",
+                facts["ipc"],
+                *(["--init"] if "init" in facts else []),
+            )
+            started = docker.docker("run", "--detach", "--name", service, *options, name)
+            assert started.code == 0, started.err
+        tests = "/docker-ros/ws/src/remote_policy/test"
+        moves = docker.docker("exec", "--workdir", tests, "robot", "/entrypoint.sh", "python3", "-c", MOVES)
+        assert "moves [1.0, 1.5]" in moves.out, moves.err + docker.docker("logs", "robot").err
+        stopped = docker.docker("stop", *file["services"])
+        assert stopped.code == 0 and stopped.out.split() == [*file["services"]], stopped.err
+
+
 def test_compose(services: Services, ros2: str, tmp_path: Path) -> None:
     """Both services in Docker, each by `docker run` with what compose.yaml says of it; Docker's compose has not run them."""
     file = yaml.safe_load((EXAMPLES / "compose/compose.yaml").read_text())

@@ -2,7 +2,7 @@
 # The environment's Python is the image's own, beside which it has its packages; it imports ROS with a message, and the image's PyTorch.
 # ROS's own Python does not see it.
 set -euo pipefail
-folder=/opt/env/${EXPECT_ENVIRONMENT:?}
+folder=${CHECK_ROOT:-}/opt/env/${EXPECT_ENVIRONMENT:?}
 fail() { echo "$1" >&2 && exit 1; }
 
 for variable in PATH PYTHONPATH; do
@@ -11,7 +11,7 @@ done
 if python3 -m site | grep /opt/env; then fail "ROS's own Python has the environment in its path"; fi
 
 # shellcheck disable=SC1091 # it is in the image
-activated=$(source "$folder/bin/activate" && command -v python)
+activated=$(source "$folder/bin/activate" && command -v python) || activated=nowhere
 [[ $activated == "$folder/bin/python" ]] || fail "bin/activate leads to $activated"
 
 ros=rclpy

@@ -10,6 +10,7 @@ import shutil
 import struct
 import subprocess
 import sys
+import venv
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -257,6 +258,16 @@ def cuda_provider(root: Root, several: list[tuple[str, int]]) -> None:
     root.file("modules/onnxruntime/capi/libonnxruntime_providers_cuda.so").write_bytes(content)
 
 
+def environment(root: Root) -> None:
+    """An environment beside a ROS 1 with PyTorch."""
+    venv.create(root.folder / "opt/env/grasp", symlinks=True)
+    for module in ("rospy", "torch", "std_msgs/__init__", "std_msgs/msg"):
+        root.file(f"modules/{module}.py")
+    root.program("python3", f'exec {sys.executable} "$@"')
+    root.env |= {"EXPECT_ENVIRONMENT": "grasp", "EXPECT_ROS": "1", "EXPECT_TORCH": "2.10.0"}
+    root.env |= {"PYTHONPATH": str(root.folder / "modules"), "EXPECT_PYTHON": "{}.{}".format(*sys.version_info)}
+
+
 def runtime(root: Root) -> None:
     root.file("etc/dpkg/dpkg.cfg.d/rosml-runtime", "path-exclude=/usr/include/*\n")
     root.file("usr/lib/python3/dist-packages/torch/lib/libfmt.a")
@@ -268,6 +279,7 @@ GOOD: dict[str, Callable[[Root], None]] = {
     "cuda_copies.sh": cuda,
     "cuda_runtime.py": loader,
     "dangling_links.sh": links,
+    "environment.sh": environment,
     "gpus.py torch": built_for,
     "gpus.py tensorflow": built_for,
     "gpus.py onnxruntime": built_for,
@@ -442,6 +454,10 @@ BROKEN: dict[str, tuple[str, Callable[[Root], object], str]] = {
         "no --packages-select",
     ),
     "a colcon for other shells": ("colcon.sh", gone("modules/colcon_bash.py"), "colcon_bash"),
+    "an environment for everybody": ("environment.sh", variable(PYTHONPATH="/opt/env/grasp/lib"), "has the environment for everybody"),
+    "an environment of another Python": ("environment.sh", variable(EXPECT_PYTHON="3.99"), "its Python is 3."),
+    "an environment without ROS": ("environment.sh", gone("modules/rospy.py"), "No module named 'rospy'"),
+    "an environment that is moved": ("environment.sh", text("opt/env/grasp/bin/activate"), "bin/activate leads to "),
     "a tool": ("tools.sh", lambda root: (root.programs / "rosdep").unlink(), "missing: rosdep"),
     "a group": ("tools.sh", says("getent", "exit 2"), "the groups sudo and video are not both there"),
     "root's own shells": ("tools.sh", text("root/.bashrc", "alias ll=ls\n"), "/root/.bashrc sources no ROS"),

@@ -85,11 +85,11 @@ def test_a_run_is_an_entry_and_says_what_changed(catalogue: Published) -> None:
     third, second, first = entries(root)
     assert [third[0], second[0], first[0]] == [THIRD, SECOND, FIRST]
     assert third[1] == "2026-11-22: 81 images published"
-    assert first[1] == "2026-11-20: 195 images published, all for the first time"
+    assert first[1] == "2026-11-20: 196 images published, all for the first time"
     assert line(third[2], TORCH) == "torch-cu128-py311 changed; numpy 1.26.4 → 1.26.5"
     assert line(second[2], "ros1-bookworm-core") == "ros1-bookworm-core changed"
     assert line(first[2], "ros1-bookworm-core") == "new"
-    assert first[2].count("<li>") == 100 and first[2].endswith("<p>and 95 other images</p>")
+    assert first[2].count("<li>") == 100 and first[2].endswith("<p>and 96 other images</p>")
 
 
 def test_no_run_no_entry(tmp_path: Path, real: ImageSet) -> None:
