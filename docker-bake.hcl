@@ -5061,6 +5061,7 @@ target "part-env-lerobot-py312" {
     "io.rosml.environment"                 = "lerobot"
     "io.rosml.python"                      = "3.12"
     "io.rosml.takes"                       = "torch=2.10.0"
+    "io.rosml.needs"                       = "pillow torch torchvision typing-extensions"
   }
   tags = [
     "${REGISTRY}/env:lerobot-py312"
@@ -5088,6 +5089,7 @@ target "part-env-lerobot-py311" {
     "io.rosml.environment"                 = "lerobot"
     "io.rosml.python"                      = "3.11"
     "io.rosml.takes"                       = "torch=2.10.0"
+    "io.rosml.needs"                       = "pillow torch torchvision typing-extensions"
   }
   tags = [
     "${REGISTRY}/env:lerobot-py311"

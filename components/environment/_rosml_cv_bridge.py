@@ -30,15 +30,16 @@ _CHANNELS = {"GRAY": 1, "RGB": 3, "BGR": 3, "RGBA": 4, "BGRA": 4}
 
 
 class _Encoding:
-    """An encoding: its colours if it has some, the type of its numbers, also by OpenCV's name, and how many each pixel has."""
+    """An encoding: its colours if it has some, the type of its numbers, also by OpenCV's name, and how many each pixel has; 0 if the name
+    does not say it, as in 32F."""
 
     def __init__(self, name: str) -> None:
         self.name = name
-        depth = re.fullmatch(r"(8U|8S|16U|16S|32S|32F|64F)C([0-9]+)", name)
+        depth = re.fullmatch(r"(8U|8S|16U|16S|32S|32F|64F)(?:C([0-9]+))?", name)
         colours = re.fullmatch(r"(mono|rgba?|bgra?|bayer_[a-z]{4})(8|16)", name)
         self.colours = colours[1] if colours else name if name in _CAMERAS else ""
         if depth:
-            self.depth, self.channels = depth[1], int(depth[2])
+            self.depth, self.channels = depth[1], int(depth[2] or 0)
         elif self.colours in _COLOURS or self.colours in _CAMERAS:
             self.depth = "16U" if colours and colours[2] == "16" else "8U"
             self.channels = 2 if name.startswith("yuv") else _CHANNELS.get(_COLOURS.get(self.colours, ""), 1)
@@ -49,16 +50,21 @@ class _Encoding:
 
 def convert(picture: Any, encoding_in: str, encoding_out: str) -> Any:
     """The picture in another encoding; a copy if it is the same one, or empty. Raises a RuntimeError if that makes no sense."""
+    if picture is None:
+        raise RuntimeError("there is no picture: its data are damaged")
     if encoding_out in ("", encoding_in):
         return picture.copy()
     before, after = _Encoding(encoding_in), _Encoding(encoding_out)
     if not (before.colours and after.colours):
-        if after.colours or before.channels != after.channels:
+        if after.colours or not before.channels or before.channels != after.channels:
             why = "that has colours" if after.colours else "that has other channels"
             raise RuntimeError(f"a picture of {encoding_in} cannot become one of {encoding_out}: {why}")
         return _to_type(picture, after.type)
     if before.colours != after.colours:
-        return _to_type(cv2.cvtColor(picture, _code(before, after)), after.type)
+        try:
+            return _to_type(cv2.cvtColor(picture, _code(before, after)), after.type)
+        except cv2.error as error:  # cv_bridge makes its own error of a RuntimeError alone
+            raise RuntimeError(str(error)) from None
     if before.colours.startswith("bayer"):
         raise _unsupported(before, after)
     return _to_type(picture, after.type)
@@ -87,7 +93,7 @@ def _to_type(picture: Any, kind: Any) -> Any:
     if kind.kind == "f":
         return scaled.astype(kind)
     limits = np.iinfo(kind)
-    whole = np.nan_to_num(np.rint(scaled), nan=limits.min, posinf=limits.max, neginf=limits.min)
+    whole = np.nan_to_num(np.rint(scaled), nan=limits.min, posinf=limits.min, neginf=limits.min)
     return np.clip(whole, limits.min, limits.max).astype(kind)
 
 
@@ -95,7 +101,7 @@ def _number(encoding: str) -> int:
     """OpenCV's number of the type that a picture of an encoding has."""
     it = _Encoding(encoding)
     depth: int = getattr(cv2, f"CV_{it.depth}")
-    return depth + (it.channels - 1) * _PER_CHANNEL
+    return depth + (max(it.channels, 1) - 1) * _PER_CHANNEL
 
 
 _PER_CHANNEL: int = cv2.CV_8UC2 - cv2.CV_8UC1

@@ -111,7 +111,7 @@ def test_remote_policy(services: Services, ros2: str, published: Publish, tmp_pa
     file = yaml.safe_load((EXAMPLES / "remote-policy/compose.yaml").read_text())
     example(services, "remote-policy", ros2, tmp_path)
     folders = {"robot": tmp_path / "remote-policy", "policy": tmp_path / "remote-policy/server"}
-    bases = {"robot": ros2, "policy": published("ros1-bookworm-core").reference}
+    bases = {"robot": ros2, "policy": base(services, published("ros1-bookworm-core").reference, "policy-server")}
     with engine.running() as docker, ExitStack() as after:
         for service, facts in file["services"].items():
             image = f"{services.registry}/{NAMESPACE}/examples/{facts['image']}:latest"

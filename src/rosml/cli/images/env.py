@@ -19,6 +19,8 @@ from rosml.cli.images.call import KEPT, sharing
 
 if TYPE_CHECKING:
     from rosml.images.environments.add import Sized
+    from rosml.images.environments.declaration import Declaration
+    from rosml.images.image_set.model import ImageSet
 
 
 @dataclass(frozen=True)
@@ -87,18 +89,32 @@ def add(**options: Any) -> None:
     call = _Call(**options)
     place = call.folder / short_names.require(call.name)
     words = call.requirements
-    earlier = declaration.read(place) if not words or (place / declaration.FILE).exists() else None
-    wish = declaration.changed(earlier, words, call.without)
     image_set = load.load(call.matrix, ROOT)
+    earlier = _earlier(place, call.name, image_set) if not words or (place / declaration.FILE).exists() else None
+    wish = declaration.changed(earlier, words, call.without)
     wish = adding.with_images(wish, call.images, image_set)
     preferences = "".join(uv_lock.preferences(Path(word)) for word in words if word.endswith(uv_lock.SUFFIX))
     request = adding.Request(call.name, wish, place, call.upgrade, preferences)
     files.require_writable(place)
     locks = [it for target in wish.images for it in adding.resolved(request, image_set, target, say)]
-    adding.write(place, (it.lock for it in locks), wish if wish != earlier else None)
+    is_new = wish != earlier or not (place / declaration.FILE).exists()
+    adding.write(place, (it.lock for it in locks), wish if is_new else None)
     if earlier and wish.requirements != earlier.requirements:
         say(f"{place / declaration.FILE} had other requirements: {', '.join(earlier.requirements)}")
     _show(place, locks, call.as_json)
+
+
+def _earlier(place: Path, name: str, image_set: ImageSet) -> Declaration:
+    """The declaration of before; in a set of somebody's own, that of rosml, for the images that are in the set."""
+    from rosml.images.environments import declaration
+    from rosml.images.matrix.names import ENVIRONMENTS
+
+    ours = ROOT / ENVIRONMENTS / name
+    if (place / declaration.FILE).exists() or not (ours / declaration.FILE).exists():
+        return declaration.read(place)
+    earlier = declaration.read(ours)
+    images = [target for target in earlier.images if target in image_set.by_target]
+    return earlier.model_copy(update={"images": images})
 
 
 def _show(place: Path, locks: Sequence[Sized], as_json: bool) -> None:

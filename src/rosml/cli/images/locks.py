@@ -167,7 +167,8 @@ def update_locks(image_set: ImageSet, call: Call) -> None:
 
     bases = base_images(call) if call.upgrade and not call.stacks else None
     locks = lock(image_set, ROOT, upgrade=call.upgrade, say=say, stacks=call.stacks)
-    present = {path for path in locked.locks(ROOT) if not call.stacks or path.split("/")[1] in call.stacks}
+    of_stacks = (path for path in locked.locks(ROOT) if path.startswith("locks/"))  # others are made by `rosml env add`
+    present = {path for path in of_stacks if not call.stacks or path.split("/")[1] in call.stacks}
     earlier = {path: (ROOT / path).read_text(errors="replace") for path in present & locks.texts.keys()}
     outdated = {path: text for path, text in sorted(locks.texts.items()) if earlier.get(path) != text}
     folder = own_of(ROOT)

@@ -91,6 +91,19 @@ def onto(
     )
 
 
+def differing(base: Base, main: Base, environments: Iterable[str], services: Services) -> str:
+    """Why environments that a base image got are not those that another one has, by their layers; empty if they are."""
+    parts = base.addons.parts if base.addons else {}
+    with Registries(services.ca_bundle) as registries, Transfer(registries) as transfer:
+        layers = {digest for image in transfer.platforms(_in_full(main)).values() for digest in image.diff_ids}
+        for name in environments:
+            end = f"/{ENVIRONMENTS}:{names.environment_name(name, main.labels.get(_PYTHON, ''))}"
+            reference = next((reference for tag, reference in parts.items() if tag.endswith(end)), "")
+            if not reference or not layers.intersection(transfer.one(reference).diff_ids):
+                return f"{main.name} has another environment {name} than {reference or 'its slim base image'}"
+    return ""
+
+
 def kept(
     transfer: Transfer,
     app: Mapping[str, str],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rosml.base import clock
 from rosml.base.errors import RosmlError
@@ -15,7 +15,9 @@ from rosml.containerize.build.call import Call
 from rosml.containerize.lock import Lock
 from rosml.containerize.names import SLIM
 from rosml.images.image_set.labels import ENVIRONMENTS, PREFIX
+from rosml.images.join import label_claims
 from rosml.images.matrix import support
+from rosml.registry.failures import Busy
 
 
 def read_lock(call: Call) -> Lock | None:
@@ -72,15 +74,35 @@ def find_slim(call: Call, base: Base, followed_lock: Lock | None) -> Base | None
     return None
 
 
-def with_addons(call: Call, base: Base, followed_lock: Lock | None, main: Base | None = None) -> Base:
-    """A base image with the add-ons and environments of a call. That of a slim image also gets the environments of the `main` one."""
+def with_addons(call: Call, base: Base, followed_lock: Lock | None, environments: Sequence[str] = ()) -> Base:
+    """A base image with the add-ons and environments of a call, and with further `environments`."""
     digests = followed_lock.addons or {} if followed_lock else None
     values = call.values
-    environments = f"{values.environments} {main.labels.get(ENVIRONMENTS, '') if main else ''}"
-    joined = addons.onto(base, values.addons, call.services, call.names.platforms, digests, environments)
+    every = " ".join([values.environments, *environments])
+    joined = addons.onto(base, values.addons, call.services, call.names.platforms, digests, every)
     if joined.addons:
         call.say(f"{base.name} with {', '.join(name.rpartition('/')[2] for name in joined.addons.parts)}")
     return joined
+
+
+def slim_with_addons(call: Call, slim: Base, main: Base, followed_lock: Lock | None) -> Base | None:
+    """The base image of a slim image with the add-ons of a call, and with the environments of the main base image: the same ones. If they
+    are not there, there is no slim image, unless the user named its base image."""
+    label_claims.require(main.labels, main.name)
+    present = slim.labels.get(ENVIRONMENTS, "").split()
+    names = [name for name in main.labels.get(ENVIRONMENTS, "").split() if name not in present]
+    if not names or call.values.slim_base_image:
+        return with_addons(call, slim, followed_lock)
+    try:
+        joined = with_addons(call, slim, followed_lock, names)
+        reason = addons.differing(joined, main, names, call.services)
+    except Busy:
+        raise
+    except RosmlError as error:
+        reason = error.message
+    if reason:
+        call.say(f"no slim image: {reason}; name one with --slim-base-image")
+    return None if reason else joined
 
 
 def parts(*bases: Base | None) -> dict[str, str]:

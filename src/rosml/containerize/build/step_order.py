@@ -26,7 +26,7 @@ def build_images(call: Call) -> Result:
         verdict.require_kept_platforms(call)
         fetched = contexts.fetch(call, followed_lock)
         slim = bases.find_slim(call, base, followed_lock)
-        slim = slim and bases.with_addons(call, slim, followed_lock, base)
+        slim = slim and bases.slim_with_addons(call, slim, base, followed_lock)
         base = bases.with_addons(call, base, followed_lock)
         verdict.require_same_addons(followed_lock, call.values, base, slim)
         verdict.require_allowed(call, base, slim)

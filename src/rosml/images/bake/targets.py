@@ -336,7 +336,7 @@ def _environment(matrix: Matrix, part: Environment) -> Iterator[tuple[str, Targe
     arguments: dict[str, Value] = {**_common(), "ENVIRONMENT": part.environment, "PYTHON": part.python}
     if part.glibc:
         arguments["GLIBC"] = str(part.glibc)
-    own_labels = labels.of_environment(part.environment, part.python, part.takes)
+    own_labels = labels.of_environment(part.environment, part.python, part.takes, part.needs)
     yield names.files_target(part.name), Target("environment-files", contexts, arguments, part.platforms)
     tags = (f"{ENVIRONMENTS}:{part.tag}",)
     yield part.target, Target(ENVIRONMENT, contexts, arguments, part.platforms, tags, own_labels)

@@ -28,7 +28,7 @@ from rosml.images.image_set import addons, search
 from rosml.images.image_set import model as sets
 from rosml.images.image_set.model import tags_of
 from rosml.images.image_set.selection import select
-from rosml.images.matrix import combinations, support
+from rosml.images.matrix import combinations, names, support
 from rosml.images.matrix.names import our_words
 from rosml.images.matrix.tags import DATED
 from rosml.registry.place import Place
@@ -182,7 +182,8 @@ def _kind(thing: Thing, tag: str) -> Kind:
         return "main"
     if DATED.sub("", tag) == main:
         return "dated"
-    return "versions" if tag.startswith(f"{main}-") else "floating"
+    end = names.environments_end([thing.environment]) if isinstance(thing, sets.Image) else ""
+    return "versions" if tag.startswith(f"{main.removesuffix(end)}-") else "floating"
 
 
 def _sharing(images: Iterable[Image], layers: Sequence[Layer]) -> Sharing:

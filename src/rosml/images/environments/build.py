@@ -125,4 +125,6 @@ def labels_of(every: Sequence[Lock]) -> dict[str, str]:
     if any(other != taken[0] for other in taken):
         text = f"environment {first.name} takes other releases for each architecture"
         raise RosmlError(text, "pin their versions in environment.toml", exit_code=2)
-    return labels.of_environment(first.name, first.python, first.releases)
+    return labels.of_environment(
+        first.name, first.python, first.releases, {package for item in every for package in item.takes}
+    )

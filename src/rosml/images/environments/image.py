@@ -23,7 +23,11 @@ from rosml.registry.client import Registries
 
 
 def read(image: Image, names: Iterable[str], folder: Path, architectures: Iterable[str]) -> dict[str, list[Lock]]:
-    """The locks of environments by their names. Raises a RosmlError if one does not go with the image."""
+    """The locks of environments by their names. Raises a RosmlError if one does not go with the image, or if that has one already."""
+    if image.environment:
+        plain = image.target.removesuffix(environments_end([image.environment]))
+        text = f"{image.target} has the environment {image.environment} already"
+        raise RosmlError(text, f"name {plain}, and each environment with --env", exit_code=2)
     every = {
         name: build.read(folder / short_names.require(name), name, architectures, image.python)[0] for name in names
     }

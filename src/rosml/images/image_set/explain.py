@@ -69,7 +69,7 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
     if addon_image := _addon(image_set.matrix, name):
         return addon_image
     by_target = {part.target: part for part in image_set.parts}
-    if part := image_set.part_by_name.get(part_tag[1] if part_tag else name) or by_target.get(name):
+    if part := image_set.part_by_name.get(part_tag[1] if part_tag else name.rpartition("/")[2]) or by_target.get(name):
         users = sum(part.name in image.parts for image in image_set.images)
         of = (
             f"environment {part.environment}" if isinstance(part, Environment) else f"{part.kind} of stack {part.stack}"
@@ -89,6 +89,7 @@ def explained(image_set: ImageSet, name: str, environ: Mapping[str, str] = os.en
     ):
         head = f"{addon} is an add-on: it goes onto any image of its stacks, without an image of its own."
         return Explained(addon, True, tuple(_of_addon(image_set, addon)), head)
+    name = name.removeprefix("env:") if name.removeprefix("env:") in image_set.matrix.environments else name
     if name in image_set.groups:
         listed_by = "rosml list" if name in ("parts", "tests") else f"rosml list {name}"
         text = f"{name}: a group of {counted(len(image_set.groups[name]), 'target')}; see them with: {listed_by}"

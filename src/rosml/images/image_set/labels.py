@@ -73,6 +73,9 @@ ENVIRONMENTS_FOLDER = "/opt/env"
 TAKES = f"{PREFIX}takes"
 """The label of an environment with the releases that it takes from its image: `torch=2.10.0`."""
 
+NEEDS = f"{PREFIX}needs"
+"""The label of an environment with the names of all packages that it takes from its image."""
+
 RELEASE = f"{PREFIX}release"
 """The label of a part with the name of its release."""
 
@@ -128,14 +131,25 @@ def with_environments(image: Mapping[str, str], present: Iterable[str], environm
     return changed
 
 
-def of_environment(name: str, python: str, takes: Mapping[str, str]) -> dict[str, str]:
-    """The labels of an environment: what a join has to know. It takes these releases of its image."""
+def without_environments(image: Mapping[str, str]) -> dict[str, str]:
+    """The labels that `with_environments` changes, as they were before."""
+    names_of_image = image.get(ENVIRONMENTS, "").split()
+    end, words = names.environments_end(names_of_image), {f"environment {name}" for name in names_of_image}
+    changed = {name: image[name].removesuffix(end) for name in (TITLE, VERSION) if name in image}
+    if DESCRIPTION in image:
+        changed[DESCRIPTION] = ", ".join(word for word in image[DESCRIPTION].split(", ") if word not in words)
+    return changed
+
+
+def of_environment(name: str, python: str, takes: Mapping[str, str], needs: Iterable[str] = ()) -> dict[str, str]:
+    """The labels of an environment: what a join has to know. It takes these releases of its image, and needs these packages of it."""
     return {
         TITLE: names.environment_part(name, python),
         DESCRIPTION: f"environment {name} below {ENVIRONMENTS_FOLDER}, for Python {python}",
         ENVIRONMENT: name,
         f"{PREFIX}python": python,
         TAKES: " ".join(f"{release}={version}" for release, version in sorted(takes.items())),
+        NEEDS: " ".join(sorted(needs)),
     }
 
 

@@ -9,9 +9,10 @@ from pathlib import Path
 
 from rosml.base.errors import RosmlError
 from rosml.base.files import shown
+from rosml.base.problems import some
 from rosml.images.image_set import lock_file, missing_locks
 from rosml.images.image_set.model import Environment, Image, ImageSet, Part
-from rosml.images.matrix.names import ENVIRONMENTS
+from rosml.images.matrix.names import ENVIRONMENTS, environments_end
 
 
 def current_locks(image_set: ImageSet, root: Path, only: Collection[str] | None = None) -> frozenset[str]:
@@ -38,16 +39,39 @@ def _is_current(text: str, part: Part, image_set: ImageSet, architecture: str) -
 
 
 def with_environments(image_set: ImageSet, root: Path) -> ImageSet:
-    """An image set whose environments know what their first lock says: the releases that they take, and their glibc."""
-    return replace(image_set, parts=tuple(_with_head(part, root) for part in image_set.parts))
+    """An image set whose environments know what their locks say, and whose images know if that does not go with them."""
+    image_set = replace(image_set, parts=tuple(_with_heads(part, root) for part in image_set.parts))
+    images = (
+        replace(image, misfit=_misfit(image, image_set, root)) if image.environment else image
+        for image in image_set.images
+    )
+    return replace(image_set, images=tuple(images))
 
 
-def _with_head(part: Part, root: Path) -> Part:
+def _with_heads(part: Part, root: Path) -> Part:
     if not isinstance(part, Environment):
         return part
     texts = (_text(root / lock) for lock in part.locks if os.path.isfile(root / lock))
-    head = next(filter(None, map(lock_file.environment_head, texts)), None)
-    return replace(part, takes=head.releases, glibc=head.glibc) if head else part
+    if not (heads := [*filter(None, map(lock_file.environment_head, texts))]):
+        return part
+    needs = frozenset(package for head in heads for package in head.takes)
+    return replace(part, takes=heads[0].releases, needs=needs, glibc=heads[0].glibc)
+
+
+def _misfit(image: Image, image_set: ImageSet, root: Path) -> str:
+    """Why the environment of an image does not go with it; empty if it does, or if nobody can tell, since a lock is missing."""
+    environment = image_set.part_by_name[image.parts[-1]]
+    assert isinstance(environment, Environment)
+    lock, plain = environment.locks[0], image.target.removesuffix(environments_end([image.environment]))
+    for release, version in environment.takes.items():
+        if (has := image.versions.get(release)) != version:
+            return f"{lock} takes {release} {version}, and {plain} has {f'{release} {has}' if has else f'no {release}'}"
+    others = [root / other for other in image.locks if other not in environment.locks]
+    if not all(map(os.path.isfile, others)):
+        return ""
+    packages = {lock_file.package_name(name) for other in others for name in lock_file.versions(_text(other))}
+    lacking = sorted(environment.needs - packages)
+    return f"{lock} takes {some(lacking)} of its image, and {plain} does not have that" if lacking else ""
 
 
 def _text(file: Path) -> str:
@@ -69,19 +93,14 @@ def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collecti
     lost = absent - missing_locks.waiting(image_set.matrix, image_set.parts_of_stacks)
 
     def without(image: Image) -> Image:
-        unfit = {lock for part in environments.get(image.target, ()) for lock in part.locks if _misses(image, part)}
+        unfit = {lock for lock in image.locks if image.misfit and lock.startswith(f"{ENVIRONMENTS}/")}
         unlocked = tuple(lock for lock in image.locks if lock in absent or lock in unfit)
-        damaged = tuple(lock for lock in unlocked if lock in unusable or lock in unfit - absent)
+        damaged = tuple(lock for lock in unlocked if lock in unusable or lock in unfit)
         lost_locks = tuple(lock for lock in unlocked if lock in lost or lock in unfit)
         return replace(image, unlocked=unlocked, damaged=damaged, lost=lost_locks)
 
-    environments = {
-        image.target: [part for name in image.parts if isinstance(part := image_set.part_by_name[name], Environment)]
-        for image in image_set.images
-        if image.environment
-    }
     images = tuple(
-        without(image) if image.environment or absent.intersection(image.locks) else image for image in image_set.images
+        without(image) if image.misfit or absent.intersection(image.locks) else image for image in image_set.images
     )
     locked = {image.target for image in images if image.locked}
 
@@ -100,11 +119,6 @@ def with_locks(image_set: ImageSet, present: Collection[str], unusable: Collecti
         replace(part, unlocked=tuple(lock for lock in part.locks if lock in absent)) for part in image_set.parts
     )
     return replace(image_set, images=images, parts=parts)
-
-
-def _misses(image: Image, part: Environment) -> bool:
-    """Whether an environment takes a release that an image does not have."""
-    return any(image.versions.get(name) != version for name, version in part.takes.items())
 
 
 def locks(root: Path) -> frozenset[str]:

@@ -61,18 +61,26 @@ def hindrance(thing: Image | Part, architecture: str) -> str:
     lacking, damaged = on(thing, architecture), thing.damaged if isinstance(thing, Image) else ()
     if not lacking:
         return ""
-    return f"{UNLOCKED}: {_described(lacking, damaged, some) if {*damaged}.intersection(lacking) else some(lacking)}"
+    if isinstance(thing, Image) and {*damaged}.intersection(lacking):
+        return f"{UNLOCKED}: {_of_image(thing, lacking, some)}"
+    return f"{UNLOCKED}: {some(lacking)}"
 
 
 def damage(image: Image, architectures: Collection[str]) -> str:
     """Which locks of an image for some architectures are there and unusable, in words; empty if none is."""
     locks = [lock for name in architectures for lock in on(image, name) if lock in image.damaged]
-    return _described(locks, locks, some)
+    return _of_image(image, locks, some) if locks else ""
 
 
 def reason(image: Image) -> str:
     """The missing locks of an image, in words: `locks/cpu/amd64/3.11/torch.txt is missing`."""
-    return _described(image.unlocked, image.damaged, listed)
+    return _of_image(image, image.unlocked, listed)
+
+
+def _of_image(image: Image, locks: Sequence[str], names: Callable[[list[str]], str]) -> str:
+    """The problems of some locks of an image, in words. Of an environment that does not go with it, the reason is said."""
+    others = [lock for lock in locks if not (image.misfit and lock.startswith(f"{ENVIRONMENTS}/"))]
+    return "; ".join(filter(None, [image.misfit, _described(others, image.damaged, names)]))
 
 
 def _described(locks: Sequence[str], damaged: Collection[str], names: Callable[[list[str]], str]) -> str:
@@ -92,7 +100,10 @@ def remedy(image: Image) -> str:
     """The remedy for an image without its locks."""
     if all(lock.startswith(f"{ENVIRONMENTS}/") for lock in image.unlocked):
         provider = image.target.removesuffix(environments_end([image.environment]))
-        return f"run 'rosml env add {image.environment} --image {provider}'"
+        beside = (
+            "; if another image needs the present lock: there is one for each Python, so write a second environment"
+        )
+        return f"run 'rosml env add {image.environment} --image {provider}'{beside if image.misfit else ''}"
     return MAKE_LOCKS if image.lost else ASK_PYTORCH
 
 
@@ -108,6 +119,9 @@ def lost(image_set: ImageSet) -> RosmlError | None:
         return None
     locks = list(dict.fromkeys(lock for image in image_set.images for lock in image.lost))
     damaged = {lock for image in image_set.images for lock in image.damaged}
+    misfits = dict.fromkeys(image.misfit for image in image_set.images if image.misfit)
+    unfit = {lock for image in image_set.images if image.misfit for lock in image.lost if lock.startswith(ENVIRONMENTS)}
+    described = _described([lock for lock in locks if lock not in unfit], damaged, some)
     cannot = f"{counted(len(images), 'image')} cannot be built ({some(images)})"
     remedies = (way_back(image) for image in image_set.images if image.lost)
-    return RosmlError(f"{cannot}: {_described(locks, damaged, some)}", "; ".join(dict.fromkeys(remedies)))
+    return RosmlError(f"{cannot}: {'; '.join(filter(None, [*misfits, described]))}", "; ".join(dict.fromkeys(remedies)))

@@ -74,11 +74,13 @@ class Environment(Part):
     Attributes:
         environment: its own name, `lerobot`.
         takes: the releases that it takes from its image, and their versions, by its locks; none if it has no lock.
+        needs: the names of all packages that it takes.
         glibc: the N of the glibc 2.N that its locks are for; 0 if it has none.
     """
 
     environment: str = ""
     takes: Mapping[str, str] = field(default_factory=dict, hash=False)
+    needs: frozenset[str] = frozenset()
     glibc: int = 0
 
     @property
@@ -158,6 +160,7 @@ class Image:
         unlocked: missing or unusable locks. If it has some, it cannot be built, and is in no group.
         damaged: locks of `unlocked` that exist, but are damaged or do not match the matrix.
         lost: locks of `unlocked` that should exist, since they wait for no other index.
+        misfit: why its environment does not go with it, by the environment's locks; empty if it does.
         disk: the forecast of its size with everything below it.
         budget: MB that parts of it may have together in the registry; None for any.
         budgeted: those parts: all, or, if it has an add-on, those that no framework of the stack has.
@@ -198,6 +201,7 @@ class Image:
     addons: tuple[str, ...] = ()
     combination: str = ""
     environment: str = ""
+    misfit: str = ""
 
     @property
     def locked(self) -> bool:

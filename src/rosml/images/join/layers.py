@@ -311,9 +311,10 @@ def _labels(ros: Source, content: _Content, stack: str, brought: Sequence[Brough
     place = ros.labels[_DISTRIBUTION], ros.labels[_COMPONENT], ros.labels[_ROS]
     titles = labels.about_image(labels.ImageKind(*place, content.framework, stack, content.addons), brought)
     if content.present:
-        titles[labels.VERSION] = spelled_tag(ros.labels.get(labels.VERSION, ""), labels.spelled(brought))
+        before = labels.without_environments(ros.labels)
+        titles[labels.VERSION] = spelled_tag(before.get(labels.VERSION, ""), labels.spelled(brought))
         software = [f"{item.title} {item.version}" for item in brought if item.title]
-        titles[labels.DESCRIPTION] = ", ".join([ros.labels.get(labels.DESCRIPTION, ""), *software])
+        titles[labels.DESCRIPTION] = ", ".join([before.get(labels.DESCRIPTION, ""), *software])
     if environments := ros.labels.get(labels.ENVIRONMENTS, "").split():
         titles |= labels.with_environments(titles, (), environments)
     if ros.labels.get(labels.APP):

@@ -77,7 +77,7 @@ def extended(document: Document, base: Document) -> Document:
         text = f"add '{min(plain)}:', since images with a framework stand on those without one"
         raise InputError(document.name, [*document.problems, document.problem(("frameworks",), text)])
     data["addons"] = _addons(_mapping(data.get("addons")) if "addons" in choice else {}, data)
-    data["environments"] = _mapping(data.get("environments")) if "environments" in choice else {}
+    data["environments"] = data.get("environments") if "environments" in choice else {}
     _forget(data, base.data, choice)
     if torn := [
         document.problem((section, name), f"none of the stacks of this set has its part {part}; add one that has it")
@@ -302,8 +302,14 @@ def _forget_architectures(data: dict[str, Any], gone: set[str]) -> None:
         kept = {key: remaining(item) for key, item in value.items() if key not in gone}
         return {key: item for key, item in kept.items() if item or not value[key] or key in ("wheels", "elsewhere")}
 
-    for section in ("operating_systems", "distributions", "stacks", "releases", "environments"):
+    for section in ("operating_systems", "distributions", "stacks", "releases"):
         data[section] = remaining(data[section])
+    environments = _mapping(data["environments"])
+    if environments:  # one with no architecture that is left keeps its own, which the message names
+        data["environments"] = {
+            name: remaining(facts) if "architectures" in _mapping(remaining(facts)) else facts
+            for name, facts in environments.items()
+        }
     data["releases"] = _releases(data["releases"], ())
 
 

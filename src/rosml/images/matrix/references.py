@@ -13,6 +13,7 @@ from rosml.images.matrix.combinations import NVIDIA
 from rosml.images.matrix.model import Distribution, Matrix, OperatingSystem, PartEntry, Release, Stack
 from rosml.images.matrix.patterns import SLOTS
 from rosml.images.matrix.sizes import Size
+from rosml.images.matrix.tags import DATED
 
 Finding = tuple[KeyPath, str]
 """A problem's path and its text."""
@@ -196,8 +197,10 @@ def _addons(matrix: Matrix) -> Iterator[Finding]:
 def _environments(matrix: Matrix) -> Iterator[Finding]:
     """Their architectures exist. (Their images are checked against the whole image set.)"""
     for name, entry in matrix.environments.items():
-        path: KeyPath = ("environments", name, "architectures")
-        yield from _each(path, "architecture", entry.architectures, matrix.architectures)
+        path: KeyPath = ("environments", name)
+        yield from _each((*path, "architectures"), "architecture", entry.architectures, matrix.architectures)
+        if DATED.search(f"-{name}"):
+            yield path, f"{name} ends like the tag of a day, which `rosml publish prune` removes; take another name"
 
 
 def _parts(matrix: Matrix) -> Iterator[Finding]:
@@ -213,6 +216,8 @@ def _parts(matrix: Matrix) -> Iterator[Finding]:
         if part.name in seen:
             yield (*path, "name"), f"{part.name!r} is there twice; keep one"
         seen.add(part.name)
+        if part.name.startswith("env-"):
+            yield (*path, "name"), f"{part.name!r} begins with env-, as environments do in targets; take another name"
         yield from _each((*path, "needs"), "part", part.needs, matrix.part)
         yield from _slot(path, part, slots)
         if part.release:

@@ -14,7 +14,7 @@ from rosml.base.errors import RosmlError
 from rosml.base.problems import InputError
 from rosml.images.bake.diff import Difference, between
 from rosml.images.bake.inputs import Inputs
-from rosml.images.image_set import load
+from rosml.images.image_set import load, locked
 from rosml.images.image_set import model as sets
 from rosml.images.matrix import extends
 from rosml.machine import git
@@ -35,7 +35,8 @@ def _image_set(revision: str, folder: Path) -> sets.ImageSet:
     try:
         file = matrix_of(folder)
         document = extends.read(file, base)
-        return load.image_set(replace(document, name=f"{revision}:{file.name}"))
+        document = replace(document, name=f"{revision}:{file.name}")
+        return locked.with_environments(load.image_set(document), folder)
     except InputError as error:
         reason = f"this version of the project does not understand the matrix of revision {revision}:\n{error.message}"
         raise RosmlError(reason, remedy="compare with a later revision", exit_code=2) from None

@@ -11,7 +11,7 @@ from dataclasses import replace
 from typing import Any
 
 from rosml.base.errors import RosmlError
-from rosml.run.context import Context
+from rosml.run.context import Context, Image
 from rosml.run.exports.description import Call, Option, fields, file, placed, preceded, volume
 from rosml.run.paths import FILES, bind, joined
 from rosml.run.plugins.basic_options import FOLDER_LABEL
@@ -20,6 +20,9 @@ from rosml.run.plugins.user import VARIABLE
 FOLDER = "${localWorkspaceFolder}"
 VARIABLES = re.compile(r"\$\{\s*(?:env|local\w*|container\w*|devcontainer\w*)\b", re.IGNORECASE)
 """The beginning of a variable of editors: https://containers.dev/implementors/json_reference/#variables-in-devcontainerjson."""
+
+ENVIRONMENTS_LABEL = "io.rosml.environments"
+"""The label of an image with the names of its environments of Python packages: docs/environments.md."""
 
 DROPPED = ("interactive", "tty")
 LISTS = {"cap-add": "capAdd", "security-opt": "securityOpt"}
@@ -63,9 +66,18 @@ def text(call: Call) -> str:
         **{option.name: option.is_on for option in others if option.name in SWITCHES},
         **{key: [*dict.fromkeys(call.values(name))] for name, key in LISTS.items()},
         "runArgs": [_word(option, call) for option in others if option.name not in (*ELSEWHERE, *DROPPED)],
+        "customizations": _customizations(call.about),
     }
     written = {key: value for key, value in document.items() if value not in ([], {})}
     return json.dumps(written, indent=2, ensure_ascii=False) + "\n"
+
+
+def _customizations(image: Image) -> dict[str, Any]:
+    """VS Code takes the Python of the image's environment, if there is one alone."""
+    names = image.labels.get(ENVIRONMENTS_LABEL, "").split()
+    if len(names) != 1 or not re.fullmatch(r"[a-z0-9-]{1,64}", names[0]):
+        return {}
+    return {"vscode": {"settings": {"python.defaultInterpreterPath": f"/opt/env/{names[0]}/bin/python"}}}
 
 
 def _require_no_variables(call: Call) -> None:

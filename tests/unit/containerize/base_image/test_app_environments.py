@@ -67,13 +67,30 @@ def test_one_of_the_local_registry_and_one_that_the_base_image_has(place: Place)
 
 
 def test_a_slim_image_gets_those_of_the_other(place: Place) -> None:
-    policy, slim = environment(place), plain(place)
-    main = replace(slim, labels={**slim.labels, ENVIRONMENTS: "policy"})
-    names = SimpleNamespace(platforms=BOTH)
-    call: Any = SimpleNamespace(values=inputs.Values(), services=place.services, names=names, say=lambda _: None)
-    joined = bases.with_addons(call, slim, None, main).addons
-    assert joined and [*joined.parts] == [policy]
-    assert bases.with_addons(call, slim, None) is slim
+    """The same ones: if another build of one is there now, or none, there is no slim image, unless the user named its base."""
+    slim, messages = plain(place), list[str]()
+
+    def joined(main: Base, slim_base_image: str = "") -> Base | None:
+        names = SimpleNamespace(platforms=BOTH)
+        call: Any = SimpleNamespace(
+            values=inputs.Values(slim_base_image=slim_base_image), services=place.services, names=names, say=messages.append
+        )
+        return bases.slim_with_addons(call, slim, main, None)
+
+    policy = environment(place)
+    with Joiner(lambda _: place.registry) as joiner:
+        image = joiner.join(slim.name, [policy], f"{place.server.address}/rosml/ros:with").reference
+    main = app_base.find(image, place.services, BOTH)
+    with_policy = joined(main)
+    assert with_policy and with_policy.addons and [*with_policy.addons.parts] == [policy]
+    assert joined(slim) is slim
+    environment(place, "tonight")
+    assert joined(main) is None and "no slim image: " in messages[-1] and "has another environment policy than" in messages[-1]
+    assert joined(main, slim_base_image="named") is slim
+    assert joined(replace(main, labels={**main.labels, ENVIRONMENTS: "nope"})) is None
+    assert "no slim image: there is no environment nope" in messages[-1]
+    with pytest.raises(RosmlError, match=r"io\.rosml\.environments is damaged"):
+        joined(replace(main, labels={**main.labels, ENVIRONMENTS: "../../etc"}))
 
 
 def test_a_lock_that_names_something_else(place: Place) -> None:

@@ -16,6 +16,7 @@ from rosml.base.errors import RosmlError
 from rosml.cli.images import tables
 from rosml.images.bake import diff as differences
 from rosml.images.bake.inputs import Inputs
+from rosml.images.environments.lock import Lock
 from rosml.images.image_set.locked import with_locks
 from rosml.images.publish import revision
 
@@ -47,6 +48,19 @@ def test_nothing_differs(repository: Path) -> None:
     (cache / "x.pyc").touch()
     done = diff(repository, "HEAD")
     assert (done.returncode, done.stdout) == (0, f"0 added, 0 removed, 0 changed, {count} same\n")
+
+
+def test_an_environment_counts_with_its_locks(repository: Path) -> None:
+    """What their heads say is in the bake file, so both sides read them."""
+    entry = "environments:\n  grasp: {images: [alpha-core-torch-cu1], architectures: [amd64], disk: {unpacked: 1, compressed: 1}}\n"
+    (repository / "matrix.yaml").write_text(changed("\nreleases:\n", f"\n{entry}releases:\n", SMALL))
+    place = repository / "environments/grasp/3.12/amd64.txt"
+    place.parent.mkdir(parents=True)
+    place.write_text(str(Lock("grasp", "3.12", "amd64", 39, {}, {})))
+    (repository / "tests/structure/environment.yaml").write_text("schemaVersion: 2.0.0\n")
+    commit(repository)
+    result = changes(repository, "HEAD")
+    assert not result["changed"] and changes(repository, "HEAD~1")["added"] == ["alpha-core-torch-cu1-env-grasp"]
 
 
 def test_a_revision_counts_with_all_of_its_files(repository: Path) -> None:

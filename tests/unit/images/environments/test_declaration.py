@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from conftest import ROOT
 
 from rosml.base.errors import RosmlError
 from rosml.cli.images import env
@@ -137,6 +138,21 @@ def test_calls_keep_what_they_do_not_name(
     capsys.readouterr()
     assert call("jax") == Declaration(requirements=["jax"], images=[other, newer])
     assert "had other requirements: lerobot" in capsys.readouterr().err
+
+
+def test_a_set_begins_with_what_rosml_has(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its requirements, for the images that are in the set."""
+    monkeypatch.setattr(add, "resolved", lambda *_: [])
+    (tmp_path / "set.yaml").write_text(
+        "extends: rosml\ndistributions: {jazzy: }\nframeworks: {none: , torch: }\nstacks: {cu128: }\n"
+        "default: {targets: [jazzy-base], group: [jazzy-base]}\n"
+    )
+    words = ["lerobot", "--folder", str(tmp_path / "environments"), "--matrix", str(tmp_path / "set.yaml")]
+    env.main.main(["add", *words], standalone_mode=False)
+    ours = declaration.read(ROOT / "environments/lerobot")
+    assert "ros1-bookworm-core-torch-cu128" in ours.images
+    wish = declaration.read(tmp_path / "environments/lerobot")
+    assert wish == ours.model_copy(update={"images": ["jazzy-base-torch-cu128"]})
 
 
 def test_without_a_declaration(tmp_path: Path) -> None:

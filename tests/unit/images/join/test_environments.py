@@ -58,6 +58,7 @@ def test_a_second_one_and_parts_onto_an_image_with_one(place: Place) -> None:
     assert config["config"]["Labels"][labels.TITLE] == "ros1-bookworm-core-torch-cu128-env-a_b"
     assert config["config"]["Labels"][labels.VERSION] == "ros1-bookworm-core-cu128-torch2.10.0-env-a_b"
     assert config["config"]["Labels"][labels.DESCRIPTION].endswith(", environment b, environment a")
+    assert config["config"]["Labels"][labels.DESCRIPTION].count("environment") == 2
     assert len(manifest["layers"]) == 6
 
 

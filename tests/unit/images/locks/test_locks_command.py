@@ -154,6 +154,17 @@ def test_locks_that_nothing_needs(checkout: Path, capsys: pytest.CaptureFixture[
     assert (checkout / "locks/old.txt").exists()
 
 
+def test_locks_of_environments_are_others(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """`rosml env add` makes them."""
+    run(checkout)
+    environment = checkout / "environments/grasp/3.12/amd64.txt"
+    environment.parent.mkdir(parents=True)
+    environment.write_text("")
+    run(checkout)
+    captured = capsys.readouterr()
+    assert "environments" not in captured.out + captured.err
+
+
 def test_a_set_keeps_its_own_locks(checkout: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert run(checkout) == 0
     rosml, kept = checkout / ".rosml", "locks/cpu/arm64/3.12/common.txt"

@@ -390,3 +390,19 @@ def test_a_variable_of_editors_in_a_strangers_text_is_refused(variable: str) -> 
     environment = {"DOCKER_UID": "", "WORKSPACE": f"/x/{variable}"}
     with pytest.raises(RosmlError, match="an editor puts in something of your machine"):
         text("--mws", "img", kind="devcontainer", environment=environment)
+
+
+@pytest.mark.parametrize(
+    ("environments", "python"),
+    [
+        ("lerobot", "/opt/env/lerobot/bin/python"),
+        ("", ""),
+        ("lerobot vision", ""),
+        ("../../tmp", ""),
+        ("${localEnv:X}", ""),
+    ],
+)
+def test_an_editor_takes_the_python_of_the_environment(environments: str, python: str) -> None:
+    settings = {"vscode": {"settings": {"python.defaultInterpreterPath": python}}}
+    document = container("ours", labels={"io.rosml.environments": environments})
+    assert document.get("customizations") == (settings if python else None)

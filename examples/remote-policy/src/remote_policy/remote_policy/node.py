@@ -57,4 +57,6 @@ def main() -> None:
     config.insert_json5("transport/shared_memory/enabled", "true")
     rclpy.init()
     with zenoh.open(config) as session, contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
-        rclpy.spin(RemotePolicy(session))
+        node = RemotePolicy(session)
+        while rclpy.ok():  # a signal that comes while the policy is asked wakes nobody, so the wait has an end
+            rclpy.spin_once(node, timeout_sec=1.0)

@@ -55,5 +55,5 @@ def test_the_node_acts_by_the_server() -> None:
     finally:
         for process in (node, server):
             process.terminate()
-            process.wait()
+            process.wait(20)
         rclpy.shutdown()
