@@ -29,7 +29,7 @@ from rosml.images.image_set.labels import (
     PREFIX,
     TITLE,
 )
-from rosml.images.join.environments import join, require_apart
+from rosml.images.join.environments import join, require_apart, require_packages
 from rosml.images.join.layers import Joined, Source, as_source, platform
 from rosml.images.join.transfer import Transfer
 from rosml.images.matrix.tags import DATED
@@ -161,7 +161,8 @@ class Rebaser:
         joined = onto.joined(platform)
         below = as_source(joined, base) if joined else base
         for name in onto.parts.values():
-            self.require_apart(name, onto.place, platform)
+            others = (other for other in onto.parts.values() if other != name)
+            self.require_apart(name, (onto.place, *others), platform)
         new = image.moved(app, below, self._bases.labels(app, onto.target, onto.parts) | dict(labels))
         if joined:
             new = replace(new, layers=(*joined.layers, new.layers[-1]))
@@ -169,12 +170,14 @@ class Rebaser:
         contents, judgement = self._judge(app, below, (onto.place, *onto.parts.values()), platform)
         return Member(app, new, contents), judgement
 
-    def _require_apart(self, part: str, base: str, platform: str) -> None:
-        """Checks the files of a part that is an environment. For the same two it is done once: many apps have them."""
+    def _require_apart(self, part: str, places: tuple[str, ...], platform: str) -> None:
+        """Checks the files of a part that is an environment beside a base image and other parts. For the same it is done once: many apps have
+        them."""
         source, _ = self.attachments.member(part, platform)
         if source and source.labels.get(ENVIRONMENT):
-            files, base_files = (self.attachments.base(name, platform).files for name in (part, base))
-            require_apart(source, files, {base: base_files})
+            files, *others = (self.attachments.base(name, platform).files for name in (part, *places))
+            require_apart(source, files, {places[0]: others[0]})
+            require_packages(source, dict(zip(places, others, strict=True)))
 
     def _judge(self, app: Source, base: Source, places: Sequence[str], platform: str) -> tuple[BaseContents, Judgement]:
         old_base, submit = attachments.base_of(app), self._transfer.pool.submit

@@ -177,6 +177,17 @@ def _alike(image_set: ImageSet, name: str) -> list[str]:
     return tags or [*image_set.by_target, *image_set.groups]
 
 
+def _with_environment(image_set: ImageSet, name: str) -> str | None:
+    """How an image gets an environment with which it is not built; None if the name is of none."""
+    plain, _, environment = name.rpartition("-env-")
+    image = image_set.by_target.get(plain) or image_set.by_tag(plain)
+    if image is None or environment not in image_set.matrix.environments:
+        return None
+    tag = next(iter(image.tags), image.target)
+    join = f"rosml join REGISTRY/{tag} env:{environment} --tag REGISTRY/NAME:TAG"
+    return f"{image.target} is not built with the environment {environment}; if it has what that takes: {join}."
+
+
 def why_not(image_set: ImageSet, name: str) -> str | None:
     """One sentence about why a combination does not exist; None if it exists, or if the name cannot be read."""
     if name in image_set.by_target:
@@ -185,6 +196,8 @@ def why_not(image_set: ImageSet, name: str) -> str | None:
         if name in facts.aliases:
             return f"{name} is called {row}."
     if image_set.base and (sentence := _not_chosen(image_set.matrix, image_set.base, name)):
+        return sentence
+    if sentence := _with_environment(image_set, name):
         return sentence
     for reading in _readings(image_set.matrix, name):
         if sentence := _reason(image_set, name, reading):

@@ -106,23 +106,18 @@ def misfit(environment: Mapping[str, str], image: Mapping[str, str], image_name:
 _MODULE = re.compile(
     rf"{labels.ENVIRONMENTS_FOLDER[1:]}/[^/]+/lib/python[0-9.]+/site-packages/([A-Za-z_][A-Za-z0-9_]*)(?:/.*|\.pyc?|\.[^/]+\.so)"
 )
-_METADATA = re.compile(r"(?:^|/)([A-Za-z0-9._]+)-[^/]+\.dist-info/METADATA$")
+_METADATA = ".dist-info/METADATA"
 _MOST_PACKAGES = 1000
 _ROS_PACKAGE = re.compile(r"(?:usr|opt/ros/[^/]+)/share/([^/]+)/package\.xml")
 
 
 def require_apart(environment: Source, files: Collection[str], others: Mapping[str, Iterable[str]]) -> None:
-    """Checks that an environment has files in its folder alone, that none hides a module of ROS, and that the packages that it takes are
-    there. `others`: the files of the images that it is joined to, by their names."""
+    """Checks that an environment has files in its folder alone, and that none hides a module of ROS. `others`: the files of the images
+    that it is joined to, by their names."""
     folder = f"{labels.ENVIRONMENTS_FOLDER[1:]}/{environment.labels[labels.ENVIRONMENT]}/"
     if outside := min((path for path in files if not path.startswith(folder)), default=""):
         text = f"{environment.name} has /{outside}, and an environment has files below /{folder} alone"
         raise RosmlError(text, "build it again, or take another one", exit_code=2)
-    if others and (lacking := _needed(environment) - {name for paths in others.values() for name in _packages(paths)}):
-        text = (
-            f"{environment.name} takes {some(sorted(lacking))} of its image, and {listed([*others])} does not have that"
-        )
-        raise RosmlError(text, AGAIN.format(environment.labels[labels.ENVIRONMENT], "IMAGE"), exit_code=2)
     modules = {match[1] for path in files if (match := _MODULE.fullmatch(path))}
     for name, paths in others.items():
         hidden = modules & {match[1] for path in paths if (match := _ROS_PACKAGE.fullmatch(path))}
@@ -131,16 +126,23 @@ def require_apart(environment: Source, files: Collection[str], others: Mapping[s
             raise RosmlError(text, "leave that package out of the environment", exit_code=2)
 
 
-def _needed(environment: Source) -> set[str]:
-    """The names of packages that an environment takes; its label is a stranger's word, and only compared."""
-    return {*environment.labels.get(labels.NEEDS, "").split()[:_MOST_PACKAGES]}
+def require_packages(environment: Source, others: Mapping[str, Iterable[str]]) -> None:
+    """Checks that the packages that an environment takes are among the files of all images that it is joined to, by their names."""
+    needs = environment.labels.get(labels.NEEDS, "").split()[
+        :_MOST_PACKAGES
+    ]  # a stranger's word, which is only compared
+    if lacking := {*needs} - {name for paths in others.values() for name in _packages(paths) if needs}:
+        text = (
+            f"{environment.name} takes {some(sorted(lacking))} of its image, and {listed([*others])} does not have that"
+        )
+        raise RosmlError(text, AGAIN.format(environment.labels[labels.ENVIRONMENT], "IMAGE"), exit_code=2)
 
 
 def _packages(paths: Iterable[str]) -> Iterator[str]:
     """The names of the Python packages among some files, as an index writes them."""
     for path in paths:
-        if match := _METADATA.search(path):
-            yield package_name(match[1])
+        if path.endswith(_METADATA) and not path.startswith(f"{labels.ENVIRONMENTS_FOLDER[1:]}/"):
+            yield package_name(path.removesuffix(_METADATA).rpartition("/")[2].rpartition("-")[0])
 
 
 def _config(image: Source, environments: Sequence[Source], merged: dict[str, str]) -> dict[str, Any]:

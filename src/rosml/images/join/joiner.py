@@ -18,7 +18,7 @@ from rosml.images.image_set import restricted
 from rosml.images.image_set.labels import ENVIRONMENT, JOINED, OCI
 from rosml.images.image_set.restricted import Declared
 from rosml.images.join import facts, file_lists, short_names
-from rosml.images.join.environments import join, require_apart, require_python
+from rosml.images.join.environments import join, require_apart, require_packages, require_python
 from rosml.images.join.file_lists import COPY, Files, Lists
 from rosml.images.join.layers import Joined, Source
 from rosml.images.join.transfer import Transfer, Transferred
@@ -174,6 +174,8 @@ class Joiner:
         for name, files in pairs:
             if name in environments:
                 require_apart(environments[name], files.entries, beside)
+                if not unlisted:
+                    require_packages(environments[name], beside)
         return unlisted
 
     def _files(self, source: Source, beside: Sequence[Source]) -> Files | None:

@@ -199,6 +199,8 @@ def _environments(matrix: Matrix) -> Iterator[Finding]:
     for name, entry in matrix.environments.items():
         path: KeyPath = ("environments", name)
         yield from _each((*path, "architectures"), "architecture", entry.architectures, matrix.architectures)
+        if name in matrix.architectures:
+            yield path, f"{name} is an architecture; take another name"
         if DATED.search(f"-{name}"):
             yield path, f"{name} ends like the tag of a day, which `rosml publish prune` removes; take another name"
 

@@ -73,7 +73,10 @@ def test_a_slim_image_gets_those_of_the_other(place: Place) -> None:
     def joined(main: Base, slim_base_image: str = "") -> Base | None:
         names = SimpleNamespace(platforms=BOTH)
         call: Any = SimpleNamespace(
-            values=inputs.Values(slim_base_image=slim_base_image), services=place.services, names=names, say=messages.append
+            values=inputs.Values(slim_base_image=slim_base_image),
+            services=place.services,
+            names=names,
+            say=messages.append,
         )
         return bases.slim_with_addons(call, slim, main, None)
 
@@ -85,7 +88,11 @@ def test_a_slim_image_gets_those_of_the_other(place: Place) -> None:
     assert with_policy and with_policy.addons and [*with_policy.addons.parts] == [policy]
     assert joined(slim) is slim
     environment(place, "tonight")
-    assert joined(main) is None and "no slim image: " in messages[-1] and "has another environment policy than" in messages[-1]
+    assert (
+        joined(main) is None
+        and "no slim image: " in messages[-1]
+        and "has another environment policy than" in messages[-1]
+    )
     assert joined(main, slim_base_image="named") is slim
     assert joined(replace(main, labels={**main.labels, ENVIRONMENTS: "nope"})) is None
     assert "no slim image: there is no environment nope" in messages[-1]

@@ -89,6 +89,9 @@ def test_an_image_is_there_once_more(image_set: ImageSet) -> None:
     assert (part.os, dict(part.takes), part.glibc) == (image.os, {"torch": "2.10.0"}, 39)
     assert f"environment grasp is below {labels.ENVIRONMENTS_FOLDER}" in explain.explained(image_set, IMAGE).text
     assert "environment grasp, built from" in explain.explained(image_set, PART).text
+    assert "grasp: a group of 1 target" in explain.explained(image_set, "env:grasp").text
+    other = explain.explained(image_set, "ros-torch:omega-base-cu1-env-grasp").text
+    assert "rosml join REGISTRY/ros-torch:omega-base-cu1 env:grasp --tag" in other
 
 
 def test_a_build_and_a_join_give_the_same_labels(image_set: ImageSet) -> None:
@@ -134,6 +137,7 @@ def test_a_lock_that_does_not_fit(text: str | None, reason: str, project: Path) 
         ("architectures: [amd64]\n    tests", "architectures: [arm64]\n    tests", "alpha-base-torch-cu1 is for amd64, and the environment has locks for arm64"),
         ("architectures: [amd64]\n    tests", "architectures: [amd46]\n    tests", "no architecture named 'amd46'; did you mean"),
         ("  grasp:\n", "  torch:\n", "the name 'torch' is taken"),
+        ("  grasp:\n", "  arm64:\n", "arm64 is an architecture"),
         ("  grasp:\n", "  grasp-20261130:\n", "ends like the tag of a day"),
         ("{name: torch,", "{name: env-grasp,", "'env-grasp' begins with env-"),
         ("images: [alpha-base-torch-cu1]", "images: []", "add at least one entry"),

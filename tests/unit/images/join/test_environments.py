@@ -95,6 +95,17 @@ def test_a_module_of_ros(module: str, place: Place) -> None:
     place.join(image, environment(place, files=[f"{site}/numpy/__init__.py"]))
 
 
+def test_a_package_that_its_image_does_not_have(place: Place) -> None:
+    """The label is a stranger's word: names in it are looked for, by the metadata of packages, not in other environments."""
+    site, other = "usr/local/lib/python3.11/dist-packages", "opt/env/other/lib/python3.11/site-packages"
+    policy = environment(place, more={labels.NEEDS: "typing-extensions torchvision"})
+    name = "typing_extensions-4.16.0.dist-info/METADATA"
+    image = place.ros(files=[f"{site}/{name}", f"{other}/torchvision-0.25.0.dist-info/METADATA"])
+    error = place.refused(image, policy)
+    assert "env:policy-py311 takes torchvision of its image, and " in error.message and error.exit_code == 2
+    place.join(place.ros(files=[f"{site}/{name}", f"{site}/torchvision-0.25.0.dist-info/METADATA"]), policy)
+
+
 @pytest.mark.parametrize("file", ["etc/ld.so.preload", "opt/env/other/bin/x", "opt/env/policy", "opt/env/policy2/x"])
 def test_files_outside_its_folder(file: str, place: Place) -> None:
     error = place.refused(place.ros(), environment(place, files=["opt/env/policy/pyvenv.cfg", file]))
