@@ -29,6 +29,7 @@ class _Call:
     requirements: tuple[str, ...]
     images: tuple[str, ...]
     without: tuple[str, ...]
+    apart: bool
     upgrade: bool
     folder: Path
     matrix: Path
@@ -72,6 +73,7 @@ def main() -> None:
     help="leave it out, although another package needs it; repeatable",
     callback=options.words,
 )
+@click.option("--apart", is_flag=True, help="take nothing of the image: its own PyTorch, although the image has one")
 @click.option("--upgrade", is_flag=True, help="take the newest versions; otherwise those of the earlier lock stay")
 @_FOLDER
 @sharing("matrix", "json")
@@ -91,7 +93,7 @@ def add(**options: Any) -> None:
     words = call.requirements
     image_set = load.load(call.matrix, ROOT)
     earlier = _earlier(place, call.name, image_set) if not words or (place / declaration.FILE).exists() else None
-    wish = declaration.changed(earlier, words, call.without)
+    wish = declaration.changed(earlier, words, call.without, call.apart)
     wish = adding.with_images(wish, call.images, image_set)
     preferences = "".join(uv_lock.preferences(Path(word)) for word in words if word.endswith(uv_lock.SUFFIX))
     request = adding.Request(call.name, wish, place, call.upgrade, preferences)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass
+from contextlib import suppress
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import NamedTuple
 
 from rosml.base import files, web
 from rosml.base.errors import RosmlError
 from rosml.base.problems import listed
+from rosml.base.units import size
 from rosml.images.bake.targets import unlocked
 from rosml.images.environments import lock as locks
 from rosml.images.environments.declaration import FILE, Declaration, content
@@ -67,11 +69,13 @@ def resolved(
         for architecture in image.architectures:
             say(f"resolve {request.name} on {target} for {architecture}")
             provider = provider_of(image_set.matrix, image, architecture)
+            if request.declaration.apart:
+                provider = _with_nothing(provider)
             previous = request.previous(provider.python, architecture)
             try:
                 lock = locks.resolved(request.name, request.declaration, provider, uv, previous)
             except NoSolution as error:
-                raise _refused(request.declaration, image_set, image, provider, uv, error) from None
+                raise _refused(request, image_set, image, provider, index, error) from None
             every.append(Sized(lock, _size(index, lock, provider.wheels)))
     return every
 
@@ -120,17 +124,32 @@ def provider_of(matrix: Matrix, image: Image, architecture: str) -> Provider:
     return Provider(image.target, architecture, image.python, glibc, wheels, packages, releases)
 
 
+def _with_nothing(provider: Provider) -> Provider:
+    """A provider of nothing but its Python: an environment on it has its own PyTorch."""
+    return replace(provider, packages={}, releases=())
+
+
 def _refused(
-    declaration: Declaration, image_set: ImageSet, image: Image, provider: Provider, uv: Uv, error: NoSolution
+    request: Request, image_set: ImageSet, image: Image, provider: Provider, index: Index, error: NoSolution
 ) -> RosmlError:
     """The error about an environment that does not fit, with what would."""
+    declaration, uv = request.declaration, index.uv
     if not locks.fits(declaration, provider, {}, uv):
         text = f"no set of wheels for Python {provider.python} on {provider.architecture} is what it asks for:\n{error.reason}"
         remedy = "relax the requirements, name an image with another Python, or leave a package out: --without PACKAGE"
         return RosmlError(text, remedy, exit_code=2)
     fitting = [*_fitting(declaration, image_set, image, provider, uv)]
     remedy = f"name an image of another stack: {listed(fitting, last='or')}" if fitting else "relax the requirements"
-    return RosmlError(error.message, f"{remedy}; or an image without a framework, beside which it has its own", 2)
+    apart = f"give it its own beside the image's: --apart{_size_apart(request, provider, index)}"
+    return RosmlError(error.message, f"{remedy}; or an image without a framework; or {apart}", exit_code=2)
+
+
+def _size_apart(request: Request, provider: Provider, index: Index) -> str:
+    """How much an environment with its own PyTorch downloads; empty if the index does not say."""
+    with suppress(RosmlError):
+        lock = locks.resolved(request.name, request.declaration, _with_nothing(provider), index.uv)
+        return f" ({size(_size(index, lock, provider.wheels))} to download)"
+    return ""
 
 
 def _fitting(declaration: Declaration, image_set: ImageSet, image: Image, provider: Provider, uv: Uv) -> Iterator[str]:

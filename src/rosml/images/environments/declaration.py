@@ -41,13 +41,14 @@ _Target = Annotated[str, Field(pattern=r"^[a-z0-9][a-z0-9.-]*$", max_length=200)
 
 class Declaration(Shape):
     """`requirements` as pip writes them; packages of `without` stay out, whoever needs them. `images`: the bake targets that it has locks for,
-    one of each Python."""
+    one of each Python. With `apart`, it takes nothing of them, and has its own PyTorch."""
 
     model_config = ConfigDict(strict=True, frozen=True, extra="forbid")
 
     requirements: Annotated[list[_Requirement], Field(min_length=1, max_length=_MOST)]
     without: Annotated[list[_Package], Field(max_length=_MOST)] = []
     images: Annotated[list[_Target], Field(max_length=_MOST)] = []
+    apart: bool = False
 
 
 def read(folder: Path) -> Declaration:
@@ -67,7 +68,8 @@ def read(folder: Path) -> Declaration:
 def content(declaration: Declaration) -> str:
     """The text of the file. A comment of the file before does not stay."""
     facts = {"requirements": declaration.requirements, "without": declaration.without, "images": declaration.images}
-    return "".join(_lines({name: texts for name, texts in facts.items() if texts}))
+    lists = "".join(_lines({name: texts for name, texts in facts.items() if texts}))
+    return f"{lists}apart = true\n" if declaration.apart else lists
 
 
 def _lines(facts: dict[str, list[str]]) -> Iterator[str]:
@@ -77,7 +79,9 @@ def _lines(facts: dict[str, list[str]]) -> Iterator[str]:
         yield "]\n"
 
 
-def changed(earlier: Declaration | None, words: Sequence[str], without: Iterable[str]) -> Declaration:
+def changed(
+    earlier: Declaration | None, words: Sequence[str], without: Iterable[str], apart: bool = False
+) -> Declaration:
     """What a command line asks for: requirements, and files that have some (requirements.txt, pyproject.toml, uv.lock), for the images of before.
 
     Without words, it is what was before, without more packages.
@@ -91,6 +95,7 @@ def changed(earlier: Declaration | None, words: Sequence[str], without: Iterable
             requirements=[*dict.fromkeys(requirements)],
             without=[*dict.fromkeys(stay_out)],
             images=earlier.images if earlier else [],
+            apart=apart or bool(earlier and earlier.apart),
         )
     except ValidationError as error:
         remedy = "write each as lerobot==0.4.4, without hashes and addresses"

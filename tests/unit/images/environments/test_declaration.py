@@ -138,6 +138,7 @@ def test_calls_keep_what_they_do_not_name(
     capsys.readouterr()
     assert call("jax") == Declaration(requirements=["jax"], images=[other, newer])
     assert "had other requirements: lerobot" in capsys.readouterr().err
+    assert call("--apart").apart and call("--upgrade").apart, "it stays"
 
 
 def test_a_set_begins_with_what_rosml_has(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

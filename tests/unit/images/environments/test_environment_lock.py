@@ -200,7 +200,24 @@ def test_it_names_images_that_fit_and_can_be_built(tmp_path: Path) -> None:
         assert caught.value.exit_code == 2 and not [*tmp_path.iterdir()]
         remedies.append(caught.value.remedy)
     assert f"{other} has torch 2.10.0" in remedies[0] and "cu132" not in remedies[0]
-    assert other not in remedies[1]
+    assert other not in remedies[1] and "or give it its own beside the image's: --apart" in remedies[1]
+
+
+def test_one_that_is_apart_takes_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is resolved as beside an image without a framework, and has all that PyTorch needs."""
+    monkeypatch.setattr(add, "_size", lambda *_: 4_000_000_000)
+    target = "ros1-bookworm-core-torch-cu130"
+    wish = WISH.model_copy(update={"apart": True})
+    table = Table(VERSIONS, [])
+    [sized, *_] = add.resolved(
+        add.Request("lerobot", wish, tmp_path), load.load_one(MATRIX, target), target, lambda _: None, table
+    )
+    assert not sized.lock.takes and not sized.lock.releases
+    assert {pin.name for pin in sized.lock.pins} == {*VERSIONS}
+    request = add.Request("lerobot", WISH, tmp_path)
+    with pytest.raises(RosmlError) as caught:
+        add.resolved(request, load.load_one(MATRIX, target), target, lambda _: None, table)
+    assert caught.value.remedy.endswith("or give it its own beside the image's: --apart (4.00 GB to download)")
 
 
 def test_what_no_wheels_give(tmp_path: Path) -> None:
