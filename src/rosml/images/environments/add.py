@@ -136,12 +136,22 @@ def _refused(
     declaration, uv = request.declaration, index.uv
     if not locks.fits(declaration, provider, {}, uv):
         text = f"no set of wheels for Python {provider.python} on {provider.architecture} is what it asks for:\n{error.reason}"
-        remedy = "relax the requirements, name an image with another Python, or leave a package out: --without PACKAGE"
+        python = " or ".join(_of_other_pythons(declaration, image_set, provider, uv)) or "one with another Python"
+        remedy = f"relax the requirements, name another image: {python}, or leave a package out: --without PACKAGE"
         return RosmlError(text, remedy, exit_code=2)
     fitting = [*_fitting(declaration, image_set, image, provider, uv)]
     remedy = f"name an image of another stack: {listed(fitting, last='or')}" if fitting else "relax the requirements"
     apart = f"give it its own beside the image's: --apart{_size_apart(request, provider, index)}"
     return RosmlError(error.message, f"{remedy}; or an image without a framework; or {apart}", exit_code=2)
+
+
+def _of_other_pythons(declaration: Declaration, image_set: ImageSet, provider: Provider, uv: Uv) -> Iterator[str]:
+    """A ROS image of each other Python for which there are the wheels."""
+    ros = [it for it in image_set.images if not it.stack and it.locked and provider.architecture in it.architectures]
+    for python, image in {it.python: it for it in reversed(ros)}.items():
+        other = _with_nothing(provider_of(image_set.matrix, image, provider.architecture))
+        if python != provider.python and locks.fits(declaration, other, {}, uv):
+            yield image.target
 
 
 def _size_apart(request: Request, provider: Provider, index: Index) -> str:
